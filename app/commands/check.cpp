@@ -1,0 +1,80 @@
+#include "app/commands/command.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <system_error>
+
+namespace npsee::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Presets meant by the arguments: files as they are, folders with all `*.npsee.json` below them, in name order.
+Expected<std::vector<fs::path>> presetsIn(const std::vector<std::string>& arguments) {
+  std::vector<fs::path> out;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!fs::is_directory(argument, error)) {
+      out.emplace_back(argument);
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (auto entry = fs::recursive_directory_iterator(argument, fs::directory_options::skip_permission_denied, error); !error && entry != fs::end(entry); entry.increment(error))
+      if (entry->path().string().ends_with(".npsee.json")) found.push_back(entry->path());
+    if (error) return fail(ErrorKind::input, argument + " cannot be read: " + error.message() + ".");
+    if (found.empty()) return fail(ErrorKind::input, argument + " holds no *.npsee.json file.", "Name a folder with presets, or the files themselves.");
+    std::ranges::sort(found);
+    out.insert(out.end(), found.begin(), found.end());
+  }
+  return out;
+}
+
+nlohmann::ordered_json faultJson(const Fault& fault) {
+  return {{"file", fault.file}, {"line", fault.line}, {"pointer", fault.pointer}, {"what", fault.what}, {"remedy", fault.remedy}};
+}
+
+int check(const std::vector<std::string>& arguments, bool as_json) {
+  const auto files = presetsIn(arguments);
+  if (!files) return report(files.error());
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  std::size_t bad = 0;
+  std::string text;
+  bool unreadable = false;
+  for (const fs::path& file : *files) {
+    const auto preset = loadPreset(file);
+    if (preset) continue;
+    ++bad;
+    std::error_code ignored;
+    unreadable = unreadable || !fs::is_regular_file(file, ignored);
+    for (const Fault& fault : preset.error().faults) {
+      faults.push_back(faultJson(fault));
+      text += fault.text() + '\n';
+    }
+  }
+  const std::string summary = std::to_string(files->size()) + (files->size() == 1 ? " file" : " files") + " checked, " + std::to_string(bad) + " with faults\n";
+  const int code = writeResult(as_json ? nlohmann::ordered_json{{"files", files->size()}, {"bad", bad}, {"faults", faults}}.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n'
+                                       : text + summary);
+  if (code != 0) return code;
+  if (unreadable) return exitCode(ErrorKind::input);
+  return bad > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Outcome& outcome) {
+  struct Options {
+    std::vector<std::string> paths;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Validate presets: every fault with file, line, message and remedy; exit 1 where there is one");
+  command->add_option("PATH", options->paths, "Preset files, or folders with presets")->required();
+  command->add_flag("--json", options->json, "Print the faults as JSON");
+  command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json");
+  command->callback([options, &outcome] { outcome.exit_code = check(options->paths, options->json); });
+}
+
+}  // namespace npsee::commands

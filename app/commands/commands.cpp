@@ -1,0 +1,12 @@
+#include "app/commands/command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace npsee::commands {
+
+void addAll(CLI::App& app, Outcome& outcome) {
+  addCheck(app, outcome);
+  addParams(app, outcome);
+}
+
+}  // namespace npsee::commands

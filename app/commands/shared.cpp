@@ -1,0 +1,48 @@
+#include "app/commands/command.h"
+
+#include <npsee/parameters.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace npsee::commands {
+
+int report(const Error& error) {
+  const std::string text = error.text() + '\n';
+  std::fputs(text.c_str(), stderr);
+  return exitCode(error.kind);
+}
+
+int writeResult(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (written) return 0;
+  std::fputs("standard output cannot be written: the disk is full or the reader is gone.\n", stderr);
+  return exitCode(ErrorKind::output);
+}
+
+void addPresetOptions(CLI::App& command, PresetChoice& choice) {
+  command.add_option("FILE", choice.file, "Preset file (*.npsee.json)")->required();
+  command.add_option("--set", choice.settings, "Change a parameter: KEY=VALUE or LAYER.KEY=VALUE; repeatable")->allow_extra_args(false)->type_name("KEY=VALUE");
+  command.add_option("--seed", choice.seed, "Seed of the random draws, instead of the preset's own")->type_name("N");
+}
+
+Expected<Preset> loadChosen(const PresetChoice& choice) {
+  // A mistyped seed is reported before files are touched.
+  auto preset = loadPreset(choice.file);
+  if (!preset) return preset;
+  for (const std::string& setting : choice.settings)
+    if (auto applied = applySetting(*preset, setting); !applied) return tl::unexpected<Error>(applied.error());
+  if (!choice.seed.empty()) {
+    const auto value = parseValue(*findParameter(Scope::burst, "seed"), choice.seed);
+    if (!value) return fail(ErrorKind::usage, "--seed " + choice.seed + ": " + value.error().faults.front().what);
+    preset->seed = std::get<std::int64_t>(*value);
+  }
+  if (std::vector<Fault> faults = validate(*preset); !faults.empty()) {
+    for (Fault& fault : faults) fault.file = choice.file;
+    return tl::unexpected<Error>(Error{choice.settings.empty() ? ErrorKind::input : ErrorKind::usage, std::move(faults)});
+  }
+  return preset;
+}
+
+}  // namespace npsee::commands

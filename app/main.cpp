@@ -1,0 +1,60 @@
+#include "app/commands/command.h"
+
+#include "sim/core/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+
+namespace {
+
+/// `npsee` alone and `npsee FILE` mean the editor; an unknown word is named with the command it resembles.
+int chooseCommand(const CLI::App& app, std::vector<std::string>& arguments) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  if (arguments.empty()) {
+    arguments.insert(arguments.begin(), "edit");
+    return 0;
+  }
+  const std::string& first = arguments.front();
+  if (first.starts_with('-') || std::ranges::find(names, first) != names.end()) return 0;
+  if (first.ends_with(".json") || first.find('/') != std::string::npos) {
+    arguments.insert(arguments.begin(), "edit");
+    return 0;
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto near = npsee::nearest(first, views);
+  std::fprintf(stderr, "there is no command \"%s\".%s\n  `npsee --help` lists the commands.\n", npsee::printable(first).c_str(),
+               near ? (" Did you mean " + std::string(*near) + "?").c_str() : "");
+  return npsee::exitCode(npsee::ErrorKind::usage);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A closed pipe or an output over the file-size limit is an error we report, not a signal to die of.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+
+  CLI::App app("npsee: explosion editor, viewer and headless renderer", "npsee");
+  app.set_version_flag("--version", "npsee " NPSEE_VERSION);
+  app.require_subcommand(0, 1);
+  app.footer("`npsee COMMAND --help` shows a command's options and examples. `npsee` alone, or with a preset file, opens the editor.");
+  npsee::commands::Outcome outcome;
+  npsee::commands::addAll(app, outcome);
+
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (const int refused = chooseCommand(app, arguments); refused != 0) return refused;
+  std::ranges::reverse(arguments);
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::fprintf(stderr, "%s\n  `npsee %s--help` shows how to call it.\n", npsee::printable(error.what()).c_str(),
+                 app.get_subcommands().empty() ? "" : (app.get_subcommands().front()->get_name() + ' ').c_str());
+    return npsee::exitCode(npsee::ErrorKind::usage);
+  }
+  return outcome.exit_code;
+}

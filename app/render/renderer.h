@@ -1,0 +1,70 @@
+#pragma once
+
+#include "app/gl/context.h"
+#include "app/render/camera.h"
+#include "app/render/image.h"
+
+#include <npsee/explosion.h>
+#include <npsee/preset.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace npsee::render {
+
+/// What lies behind the particles.
+struct Background {
+  enum class Kind { sky, colour, transparent } kind = Kind::sky;
+  Colour colour;
+};
+
+/// Everything one picture of an explosion shows. Plain data; the renderer keeps no state from picture to picture.
+struct Scene {
+  const Explosion* explosion = nullptr;  ///< may be null: an empty range
+  const Frame* frame = nullptr;          ///< state at the wanted time, with kLook | kOrientation
+  double ground_height_m = 0.0;
+  Colour ground_colour;
+  Background background;
+  bool grid = true;
+};
+
+/// The three views of the thesis's template.
+enum class TemplateView { splines, polygons, surface };
+
+struct TemplateScene {
+  const Preset* preset = nullptr;
+  int layer = 0;
+  TemplateView view = TemplateView::surface;
+  double yaw_rad = 0.6, pitch_rad = 0.35;  ///< viewing direction around the shape
+  Background background;
+};
+
+/// Draws scenes into framebuffer objects of its own, with GL 3.3 core only. One instance per context; all calls on the
+/// context's thread with the context current. The same code serves windows and headless rendering.
+class Renderer {
+ public:
+  /// Error kind graphics with the shader log when a shader does not compile.
+  static Expected<std::unique_ptr<Renderer>> create();
+  ~Renderer();
+
+  /// Draws into an internal texture of the given size (pixels) and returns its GL name, RGBA8 sRGB-coded, origin at the
+  /// lower left, valid until the next call with the same `slot` (0..3). Error kind graphics for a size over the limit.
+  Expected<unsigned> drawToTexture(const Scene& scene, const Camera& camera, int width, int height, int slot = 0);
+  Expected<unsigned> drawToTexture(const TemplateScene& scene, int width, int height, int slot = 1);
+
+  /// Draws and reads back.
+  Expected<Image> drawToImage(const Scene& scene, const Camera& camera, int width, int height);
+  Expected<Image> drawToImage(const TemplateScene& scene, int width, int height);
+
+ private:
+  struct Impl;
+  explicit Renderer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Largest width or height of a picture, pixels.
+inline constexpr int kMaxPictureSize = 8192;
+
+}  // namespace npsee::render

@@ -1,0 +1,22 @@
+# Flags shared by every target of ours. Results must have equal bits on every machine, so contraction
+# into fused multiply-add is off everywhere and nothing is tuned to the build machine.
+add_library(npsee_options INTERFACE)
+target_compile_options(npsee_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Vector types of our own kernels cross no library boundary; GCC notes an old ABI change for them.
+  target_compile_options(npsee_options INTERFACE -Wno-psabi)
+endif()
+target_compile_features(npsee_options INTERFACE cxx_std_20)
+
+if(NPSEE_SANITIZE)
+  add_compile_options(-fsanitize=${NPSEE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${NPSEE_SANITIZE})
+endif()
+
+find_program(NPSEE_CCACHE ccache)
+if(NPSEE_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${NPSEE_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${NPSEE_CCACHE}")
+endif()

@@ -1,0 +1,62 @@
+#include <npsee/error.h>
+
+namespace npsee {
+
+std::string printable(std::string_view text) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    // UTF-8 text passes; C0 controls and DEL could move a terminal's cursor or worse.
+    if (byte < 0x20 || byte == 0x7f) {
+      out += "\\x";
+      out += kHex[byte >> 4];
+      out += kHex[byte & 15];
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string Fault::text() const {
+  std::string out;
+  if (!file.empty()) {
+    out += printable(file);
+    if (line > 0) out += ':' + std::to_string(line);
+    out += ": ";
+  }
+  if (!pointer.empty()) out += printable(pointer) + ": ";
+  out += printable(what);
+  if (!remedy.empty()) out += "\n  " + printable(remedy);
+  return out;
+}
+
+std::string Error::text() const {
+  std::string out;
+  for (const Fault& fault : faults) {
+    if (!out.empty()) out += '\n';
+    out += fault.text();
+  }
+  return out;
+}
+
+tl::unexpected<Error> fail(ErrorKind kind, std::string what, std::string remedy) {
+  return fail(kind, Fault{.what = std::move(what), .remedy = std::move(remedy), .file = {}, .line = 0, .pointer = {}});
+}
+
+tl::unexpected<Error> fail(ErrorKind kind, Fault fault) {
+  return tl::unexpected<Error>(Error{kind, {std::move(fault)}});
+}
+
+int exitCode(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage: return 2;
+    case ErrorKind::input: return 3;
+    case ErrorKind::graphics: return 4;
+    case ErrorKind::output: return 5;
+  }
+  return 2;
+}
+
+}  // namespace npsee

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <npsee/error.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace npsee {
+
+/// Deepest nesting of a file.
+inline constexpr int kMaxJsonDepth = 64;
+
+/// A parsed file that still knows on which line each value stands.
+class JsonText {
+ public:
+  /// Error kind input with file and line: malformed text, nesting too deep, a key given twice, a number beyond double.
+  static Expected<JsonText> parse(std::string_view text, std::string_view file);
+  ~JsonText();
+  JsonText(JsonText&&) noexcept;
+
+  const nlohmann::ordered_json& root() const;
+  const std::string& file() const { return file_; }
+  /// 1-based line of the value at a JSON pointer ("" is the root), 0 if there is none.
+  int line(const std::string& pointer) const;
+  /// A fault at a pointer, with file and line filled in.
+  Fault fault(const std::string& pointer, std::string what, std::string remedy = {}) const;
+
+ private:
+  JsonText();
+  std::string file_;
+  std::unique_ptr<nlohmann::ordered_json> root_;
+  std::unordered_map<std::string, int> lines_;
+};
+
+/// Escapes a key for use in a JSON pointer (RFC 6901).
+std::string pointerToken(std::string_view key);
+
+/// "number", "text", "true or false", ... for messages.
+std::string_view jsonTypeName(const nlohmann::ordered_json& value);
+
+}  // namespace npsee

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace npsee {
+
+/// The candidate with the least edit distance to `word`, if it is close enough to be what was meant; ties go to the first.
+std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// "a, b and c".
+std::string listed(const std::vector<std::string_view>& words);
+
+std::string_view trimmed(std::string_view text);
+std::vector<std::string_view> splitAt(std::string_view text, char separator);
+
+}  // namespace npsee

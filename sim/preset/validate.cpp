@@ -1,0 +1,131 @@
+#include "sim/preset/validate.h"
+
+#include "sim/core/text.h"
+
+#include <npsee/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee {
+namespace {
+
+std::string at(std::size_t layer, std::string_view key = {}) {
+  std::string out = "/layers/" + std::to_string(layer);
+  if (!key.empty()) {
+    out += '/';
+    for (const char c : key) out += c == '.' ? '/' : c;
+  }
+  return out;
+}
+
+bool fitName(const std::string& name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '-' || c == '_';
+  };
+  return !name.empty() && std::ranges::all_of(name, fits) && name.front() != ' ' && name.back() != ' ';
+}
+
+void checkNames(const Preset& preset, std::vector<PresetFault>& faults) {
+  for (std::size_t i = 0; i < preset.layers.size(); ++i) {
+    const std::string& name = preset.layers[i].name;
+    if (!fitName(name)) faults.push_back({at(i, "name"), at(i), "the name \"" + name + "\" does not fit.", "Use letters, digits, inner spaces, - and _."});
+    for (std::size_t j = 0; j < i; ++j)
+      if (preset.layers[j].name == name) {
+        faults.push_back({at(i, "name"), at(i), "the name \"" + name + "\" is taken by layer " + std::to_string(j) + ".", "Give each layer a name of its own, e.g. \"" + freeLayerName(preset, name) + "\"."});
+        break;
+      }
+  }
+}
+
+/// True if following parents from `start` comes back to it.
+bool inCycle(const Preset& preset, std::size_t start) {
+  std::size_t at_layer = start;
+  for (std::size_t hop = 0; hop < preset.layers.size(); ++hop) {
+    const int parent = findLayer(preset, preset.layers[at_layer].parent);
+    if (parent < 0) return false;
+    at_layer = static_cast<std::size_t>(parent);
+    if (at_layer == start) return true;
+  }
+  return false;
+}
+
+void checkParents(const Preset& preset, std::vector<PresetFault>& faults) {
+  std::vector<std::string_view> names;
+  for (const Layer& layer : preset.layers) names.push_back(layer.name);
+  for (std::size_t i = 0; i < preset.layers.size(); ++i) {
+    const Layer& layer = preset.layers[i];
+    if (layer.parent.empty()) {
+      if (layer.trigger != Trigger::none)
+        faults.push_back({at(i, "trigger"), at(i), "a layer without a parent has no events to be triggered by.", "Name a parent, or set trigger to none."});
+      continue;
+    }
+    if (findLayer(preset, layer.parent) < 0) {
+      const auto near = nearest(layer.parent, names);
+      faults.push_back({at(i, "parent"), at(i), "there is no layer \"" + layer.parent + "\" to hang on.", near ? "Did you mean " + std::string(*near) + "?" : ""});
+    } else if (inCycle(preset, i)) {
+      faults.push_back({at(i, "parent"), at(i), "layer \"" + layer.name + "\" hangs on itself.", "Let one layer of the ring hang on the burst."});
+    } else if (layer.trigger == Trigger::none) {
+      faults.push_back({at(i, "trigger"), at(i, "parent"), "the layer hangs on \"" + layer.parent + "\", but nothing triggers it.", "Set trigger to birth, path, bounce or death."});
+    }
+  }
+}
+
+void checkDirections(const Preset& preset, std::vector<PresetFault>& faults) {
+  for (std::size_t i = 0; i < preset.layers.size(); ++i)
+    if (!(length(preset.layers[i].direction) > 1e-6))
+      faults.push_back({at(i, "direction"), at(i), "the direction has no length.", "Straight up is [0, 1, 0]."});
+}
+
+}  // namespace
+
+double particleBudget(const Preset& preset) {
+  // Children are counted per parent, over the chain of parents; the chain's length is bounded against cycles.
+  double total = 0.0;
+  for (const Layer& layer : preset.layers) {
+    double count = static_cast<double>(particleCount(layer));
+    const Layer* child = &layer;
+    for (std::size_t hop = 0; hop < preset.layers.size() && !child->parent.empty(); ++hop) {
+      const int index = findLayer(preset, child->parent);
+      if (index < 0) break;
+      const Layer& parent = preset.layers[static_cast<std::size_t>(index)];
+      const double events = child->trigger == Trigger::bounce ? static_cast<double>(parent.collide ? parent.bounce_limit : 0) : 1.0;
+      count *= events * static_cast<double>(particleCount(parent));
+      child = &parent;
+    }
+    if (layer.enabled) total += count;
+  }
+  return total;
+}
+
+std::vector<PresetFault> relationFaults(const Preset& preset) {
+  std::vector<PresetFault> faults;
+  if (preset.layers.size() > kMaxLayers)
+    faults.push_back({"/layers", "", "there are " + std::to_string(preset.layers.size()) + " layers, above the limit of " + std::to_string(kMaxLayers) + ".", ""});
+  checkNames(preset, faults);
+  checkParents(preset, faults);
+  checkDirections(preset, faults);
+  if (faults.empty()) {
+    if (const double budget = particleBudget(preset); budget > static_cast<double>(kMaxParticles))
+      faults.push_back({"/layers", "", "the layers start " + shortest(budget) + " particles, above the limit of " + std::to_string(kMaxParticles) + ".",
+                        "Lower a density or count; children are counted once per event of each parent particle."});
+  }
+  return faults;
+}
+
+std::vector<Fault> validate(const Preset& preset) {
+  std::vector<Fault> faults;
+  const auto add = [&](std::string pointer, std::string what, std::string remedy) {
+    faults.push_back({.what = std::move(what), .remedy = std::move(remedy), .file = {}, .line = 0, .pointer = std::move(pointer)});
+  };
+  for (const Parameter& row : parameters(Scope::burst))
+    if (std::string wrong = checkValue(row, row.get(preset)); !wrong.empty()) add('/' + std::string(row.key), std::move(wrong), "");
+  for (std::size_t i = 0; i < preset.layers.size(); ++i)
+    for (const Parameter& row : parameters(Scope::layer))
+      if (std::string wrong = checkValue(row, row.get(preset.layers[i])); !wrong.empty()) add(at(i, row.key), std::move(wrong), "");
+  if (faults.empty())
+    for (PresetFault& fault : relationFaults(preset)) add(std::move(fault.pointer), std::move(fault.what), std::move(fault.remedy));
+  return faults;
+}
+
+}  // namespace npsee
