@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace npsee::explosion {
+
+/// Start of one arc, packed to 44 bytes. Times and velocities are full doubles, so that flight times, energies and the geometric
+/// series of bounces are exact; a contact's place is rounded to float (at 60 m by 2 micrometres), on flat ground not even that
+/// vertically, as the height is then the ground's.
+#pragma pack(push, 4)
+struct Arc {
+  double start_s;      ///< age at which the arc begins
+  double vx, vy, vz;   ///< m/s
+  float x, y, z;       ///< m, relative to the chunk's origin for a particle's first arc, to the ground point below it after
+};
+#pragma pack(pop)
+static_assert(sizeof(Arc) == 44);
+
+constexpr int kChunkParticles = 1024;
+
+/// Compiled state of up to kChunkParticles particles of one layer.
+struct Chunk {
+  std::size_t first = 0;    ///< index of the first particle in the frame
+  int count = 0;
+
+  std::vector<Arc> arcs;                 ///< all arcs, particle after particle; one spare at the end
+  std::vector<std::uint32_t> first_arc;  ///< per particle
+  std::vector<std::uint8_t> last_arc;    ///< per particle: number of its last arc
+  std::vector<std::uint8_t> rests;       ///< per particle: 1 if it lies still from its last arc on
+
+  // Start times of arcs 1, 2, ... rounded down to float, four particles side by side, padded with infinity: where to look for
+  // the arc of a given age.
+  std::vector<float> starts;
+  std::vector<std::uint32_t> first_row;  ///< per four particles, in rows of `starts`; one more at the end
+
+  std::vector<double> birth_s;     ///< empty: all at Layer start
+  std::vector<double> lifetime_s;
+  std::vector<float> size_m;
+  std::vector<float> axis_x, axis_y, axis_z, phase_rad, rate_radps;  ///< tumbling
+
+  std::size_t bytes() const;
+};
+
+}  // namespace npsee::explosion

@@ -1,0 +1,245 @@
+#include "sim/explosion/compile.h"
+
+#include "sim/core/parallel.h"
+#include "sim/explosion/children.h"
+#include "sim/explosion/emission.h"
+#include "sim/preset/stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace npsee::explosion {
+namespace {
+
+Flight flightOf(const Preset& preset, const Layer& layer) {
+  Flight out;
+  if (layer.trajectory == Trajectory::linear) return out;
+  out.a = layer.buoyancy_mps2 - preset.gravity_mps2;
+  out.k = layer.drag_ps;
+  if (out.k <= 0.0) return out;
+  out.wx = preset.wind_mps.x;
+  out.wy = preset.wind_mps.y;
+  out.wz = preset.wind_mps.z;
+  out.law = out.k < kWeakDrag_ps ? FlightLaw::series : FlightLaw::exponential;
+  if (out.law == FlightLaw::exponential) {
+    out.inverse_k = 1.0 / out.k;
+    out.uy = out.wy + out.a / out.k;
+  }
+  return out;
+}
+
+LayerConstants constantsOf(const CompileJob& job) {
+  const Layer& layer = job.layer;
+  LayerConstants c;
+  c.flight = flightOf(job.preset, layer);
+  if (job.parent == nullptr) c.origin_y = job.ground.height(0.0, 0.0) + (job.preset.burst == BurstKind::air ? job.preset.burst_height_m : 0.0);
+  c.ground_y = job.ground.flat() ? job.ground.height(0.0, 0.0) : 0.0;
+  c.start_s = layer.start_s;
+  c.collide = layer.collide;
+  c.restitution = layer.restitution;
+  c.friction = layer.friction;
+  c.rest_speed_mps = layer.rest_speed_mps;
+  c.bounce_limit = static_cast<int>(layer.bounce_limit);
+  c.colour = layer.colour;
+  c.colour_variation = layer.colour_variation;
+  c.opacity = layer.opacity;
+  c.colour_over_life = layer.colour_over_life;
+  c.opacity_over_life = layer.opacity_over_life;
+  c.size_over_life = layer.size_over_life;
+  return c;
+}
+
+/// Everything the chunks of one layer share while it is compiled.
+struct LayerBuild {
+  const CompileJob& job;
+  const LayerConstants& constants;
+  Emission emission;
+  std::uint32_t stream;
+  std::size_t per_event;               ///< particles per event
+  std::vector<ParentEvent> events;     ///< empty for a layer of the burst itself
+  bool own_births;                     ///< birth times differ between particles
+  double centre_above;                 ///< height of the burst's centre above the ground
+};
+
+/// Launch of particle `number` of the layer, in the frame of the layer's origin, and its time of birth.
+Launch launchOf(const LayerBuild& build, std::size_t number, double& birth) {
+  const Layer& layer = build.job.layer;
+  const std::size_t in_event = number % build.per_event;
+  ParticleIdentity identity{build.job.seed, build.stream, static_cast<std::uint32_t>(in_event), 0, 0};
+  const bool child = build.job.parent != nullptr;
+  const ParentEvent event = child ? build.events[number / build.per_event] : ParentEvent{};
+  identity.parent = event.parent;
+  identity.event = event.event;
+
+  Launch out = launch(build.emission, identity, build.centre_above);
+  const double part = (static_cast<double>(in_event) + out.birth_part) / static_cast<double>(build.per_event);
+  birth = layer.start_s + layer.duration_s * part;
+  if (!child) return out;
+
+  const double path_part = (static_cast<double>(in_event) + 0.5) / static_cast<double>(build.per_event);
+  const ChildStart start = childStart(*build.job.parent, event, layer.trigger, path_part);
+  birth += start.time_s;
+  out.place = out.place + Vec3{start.motion.x, start.motion.y, start.motion.z};
+  out.velocity = out.velocity + layer.inherit_velocity * Vec3{start.motion.vx, start.motion.vy, start.motion.vz};
+  return out;
+}
+
+/// Room a thread reuses from chunk to chunk.
+struct Scratch {
+  Launches launches;
+  ArcRoom room;
+  std::vector<Arc> arcs;
+  std::vector<float> starts;
+};
+
+void sizeChunk(Chunk& chunk, const LayerBuild& build) {
+  const auto padded = static_cast<std::size_t>((chunk.count + 3) / 4 * 4);
+  for (auto* floats : {&chunk.size_m, &chunk.axis_x, &chunk.axis_y, &chunk.axis_z, &chunk.phase_rad, &chunk.rate_radps}) floats->assign(padded, 0.0f);
+  chunk.lifetime_s.assign(padded, 0.0);
+  if (build.own_births) chunk.birth_s.assign(padded, 0.0);
+  chunk.first_arc.assign(padded, 0);
+  chunk.last_arc.assign(padded, 0);
+  chunk.rests.assign(padded, 0);
+  chunk.first_row.assign(padded / 4 + 1, 0);
+}
+
+void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, Launches& launches) {
+  for (int i = 0; i < chunk.count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    double birth = 0.0;
+    const Launch drawn = launchOf(build, first_number + at, birth);
+    // The launch place is what the first arc stores, so that frames at birth and flights from there agree to the last bit.
+    launches.x[at] = static_cast<float>(drawn.place.x);
+    launches.y[at] = static_cast<float>(drawn.place.y);
+    launches.z[at] = static_cast<float>(drawn.place.z);
+    launches.vx[at] = drawn.velocity.x;
+    launches.vy[at] = drawn.velocity.y;
+    launches.vz[at] = drawn.velocity.z;
+    launches.lifetime_s[at] = chunk.lifetime_s[at] = drawn.lifetime_s;
+    if (build.own_births) chunk.birth_s[at] = birth;
+    chunk.size_m[at] = static_cast<float>(drawn.size_m);
+    chunk.axis_x[at] = static_cast<float>(drawn.axis.x);
+    chunk.axis_y[at] = static_cast<float>(drawn.axis.y);
+    chunk.axis_z[at] = static_cast<float>(drawn.axis.z);
+    chunk.phase_rad[at] = static_cast<float>(drawn.phase_rad);
+    chunk.rate_radps[at] = static_cast<float>(drawn.rate_radps);
+  }
+  // Lanes beyond the last particle fly nowhere and live no time.
+  for (std::size_t at = static_cast<std::size_t>(chunk.count); at < chunk.lifetime_s.size(); ++at)
+    for (double* values : {launches.x, launches.y, launches.z, launches.vx, launches.vy, launches.vz, launches.lifetime_s}) values[at] = 0.0;
+}
+
+/// Pieces that start under the ground start on it, as seen from the layer's origin.
+void liftToGround(const LayerBuild& build, int count, Launches& launches) {
+  const LayerConstants& c = build.constants;
+  if (!c.collide) return;
+  for (int i = 0; i < count; ++i) {
+    const double ground = build.job.ground.height(launches.x[i] + c.origin_x, launches.z[i] + c.origin_z);
+    if (launches.y[i] + c.origin_y < ground) launches.y[i] = static_cast<float>(ground - c.origin_y);
+  }
+}
+
+void findArcsOfFour(const LayerBuild& build, const Launches& from, int first, ArcRoom& room) {
+  if (build.job.ground.flat()) {
+    build.job.kernels.find_arcs(build.constants, from, first, room);
+    return;
+  }
+  const LayerConstants& c = build.constants;
+  for (int lane = 0; lane < lanes::kLanes; ++lane) {
+    const int i = first + lane;
+    room.last[lane] = 0;
+    room.rests[lane] = false;
+    room.arcs[lane][0] = {0.0, from.vx[i], from.vy[i], from.vz[i], static_cast<float>(from.x[i]), static_cast<float>(from.y[i]), static_cast<float>(from.z[i])};
+    const Motion<double> motion{from.x[i] + c.origin_x, from.y[i] + c.origin_y, from.z[i] + c.origin_z, from.vx[i], from.vy[i], from.vz[i]};
+    findArcsOnHeights(c, build.job.ground, motion, from.lifetime_s[i], room, lane);
+  }
+}
+
+float roundedDown(double x) {
+  const auto rounded = static_cast<float>(x);
+  return rounded > x ? std::nextafterf(rounded, 0.0f) : rounded;
+}
+
+void keepArcs(const ArcRoom& room, int four, Chunk& chunk, Scratch& scratch) {
+  int rows = 0;
+  for (int lane = 0; lane < lanes::kLanes; ++lane) rows = std::max(rows, room.last[lane]);
+  for (int row = 1; row <= rows; ++row)
+    for (int lane = 0; lane < lanes::kLanes; ++lane)
+      scratch.starts.push_back(row <= room.last[lane] ? roundedDown(room.arcs[lane][row].start_s) : std::numeric_limits<float>::infinity());
+  chunk.first_row[static_cast<std::size_t>(four) + 1] = static_cast<std::uint32_t>(scratch.starts.size() / 4);
+  for (int lane = 0; lane < lanes::kLanes; ++lane) {
+    const auto particle = static_cast<std::size_t>(4 * four + lane);
+    chunk.first_arc[particle] = static_cast<std::uint32_t>(scratch.arcs.size());
+    chunk.last_arc[particle] = static_cast<std::uint8_t>(room.last[lane]);
+    chunk.rests[particle] = room.rests[lane] ? 1 : 0;
+    scratch.arcs.insert(scratch.arcs.end(), room.arcs[lane], room.arcs[lane] + room.last[lane] + 1);
+  }
+}
+
+void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk) {
+  static thread_local Scratch scratch;
+  scratch.arcs.clear();
+  scratch.starts.clear();
+  sizeChunk(chunk, build);
+  drawChunk(build, first_number, chunk, scratch.launches);
+  liftToGround(build, chunk.count, scratch.launches);
+  const int fours = static_cast<int>(chunk.lifetime_s.size() / 4);
+  for (int four = 0; four < fours; ++four) {
+    findArcsOfFour(build, scratch.launches, 4 * four, scratch.room);
+    keepArcs(scratch.room, four, chunk, scratch);
+  }
+  scratch.arcs.push_back({});  // gathers read a little past the last arc
+  chunk.arcs.assign(scratch.arcs.begin(), scratch.arcs.end());
+  chunk.starts.assign(scratch.starts.begin(), scratch.starts.end());
+}
+
+}  // namespace
+
+std::size_t Chunk::bytes() const {
+  const auto of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+  return sizeof(Chunk) + of(arcs) + of(first_arc) + of(last_arc) + of(rests) + of(starts) + of(first_row) + of(birth_s) + of(lifetime_s) + of(size_m) + of(axis_x) + of(axis_y) +
+         of(axis_z) + of(phase_rad) + of(rate_radps);
+}
+
+Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle, double age_s) {
+  const auto p = static_cast<std::size_t>(particle);
+  const double age = std::clamp(age_s, 0.0, chunk.lifetime_s[p]);
+  const Arc* first = chunk.arcs.data() + chunk.first_arc[p];
+  int number = chunk.last_arc[p];
+  while (number > 0 && first[number].start_s > age) --number;
+  const Arc& arc = first[number];
+  const bool origin = number == 0;
+  const Motion<double> m{arc.x + (origin ? c.origin_x : 0.0), arc.y + (origin ? c.origin_y : c.ground_y), arc.z + (origin ? c.origin_z : 0.0), arc.vx, arc.vy, arc.vz};
+  const double tau = chunk.rests[p] && number == chunk.last_arc[p] ? 0.0 : age - arc.start_s;
+  switch (c.flight.law) {
+    case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(c.flight, m, tau);
+    case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(c.flight, m, tau);
+    case FlightLaw::series: return flown<FlightLaw::series, double>(c.flight, m, tau);
+  }
+  return m;
+}
+
+CompiledLayer compileLayer(const CompileJob& job) {
+  CompiledLayer out;
+  out.constants = constantsOf(job);
+  out.name = job.layer.name;
+  out.form = job.layer.form;
+  out.first = job.first;
+
+  const bool child = job.parent != nullptr;
+  LayerBuild build{job, out.constants, Emission(job.preset, job.layer, child), layerStream(job.layer), static_cast<std::size_t>(particleCount(job.layer)), {},
+                   child || job.layer.duration_s > 0.0, out.constants.origin_y - job.ground.height(0.0, 0.0)};
+  if (child) build.events = parentEvents(*job.parent, job.layer.trigger);
+  out.count = build.per_event * (child ? build.events.size() : 1);
+  out.chunks.resize((out.count + kChunkParticles - 1) / kChunkParticles);
+  parallelFor(job.threads, out.chunks.size(), [&](std::size_t i) {
+    Chunk& chunk = out.chunks[i];
+    chunk.first = out.first + i * kChunkParticles;
+    chunk.count = static_cast<int>(std::min<std::size_t>(kChunkParticles, out.count - i * kChunkParticles));
+    compileChunk(build, i * kChunkParticles, chunk);
+  });
+  return out;
+}
+
+}  // namespace npsee::explosion

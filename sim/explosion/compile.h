@@ -1,0 +1,42 @@
+#pragma once
+
+#include "sim/explosion/kernels.h"
+
+#include <npsee/explosion.h>
+
+#include <string>
+#include <vector>
+
+namespace npsee::explosion {
+
+/// All of a layer's particles, ready to be evaluated.
+struct CompiledLayer {
+  LayerConstants constants;
+  std::vector<Chunk> chunks;
+  std::size_t first = 0, count = 0;
+  std::string name;
+  Form form{};
+};
+
+/// What compiling a layer needs.
+struct CompileJob {
+  const Preset& preset;
+  const Layer& layer;
+  std::uint64_t seed;
+  const Ground& ground;
+  const CompiledLayer* parent;  ///< null for a layer of the burst itself
+  const Kernels& kernels;
+  int threads;
+  std::size_t first;  ///< index of the layer's first particle in frames
+};
+
+CompiledLayer compileLayer(const CompileJob& job);
+
+/// Exact state of one particle at an age (clamped to its life), from its arcs.
+Motion<double> stateOf(const LayerConstants& constants, const Chunk& chunk, int particle, double age_s);
+
+/// Arcs of one launch over any ground: `motion` is the absolute launch state. Contacts are looked for in steps that move at
+/// most half of the ground's detail, then bisected to rounding.
+void findArcsOnHeights(const LayerConstants& constants, const Ground& ground, const Motion<double>& motion, double lifetime_s, ArcRoom& room, int lane);
+
+}  // namespace npsee::explosion

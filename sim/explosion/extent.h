@@ -1,0 +1,10 @@
+#pragma once
+
+#include "sim/explosion/compile.h"
+
+namespace npsee::explosion {
+
+/// Box that holds 98 % of the places along each axis that particles take over their lives, and the burst itself.
+Extent extentOf(const std::vector<CompiledLayer>& layers, const Vec3& burst);
+
+}  // namespace npsee::explosion
