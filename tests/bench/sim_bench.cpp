@@ -1,0 +1,65 @@
+#include <npsee/explosion.h>
+
+#include <benchmark/benchmark.h>
+
+namespace npsee {
+namespace {
+
+/// The measured case: fragments with drag and up to eight bounces, seven arcs each on average.
+Preset bouncing(std::int64_t count) {
+  Preset preset;
+  preset.layers.emplace_back();
+  Layer& layer = preset.layers[0];
+  layer.count = count;
+  layer.drag_ps = 0.15;
+  layer.restitution = 0.6;
+  layer.friction = 0.2;
+  layer.bounce_limit = 8;
+  layer.rest_speed_mps = 0.1;
+  layer.lifetime_mean_s = 12.0;
+  layer.lifetime_deviation_s = 1.0;
+  return preset;
+}
+
+void perParticle(benchmark::State& state, std::int64_t count) {
+  state.counters["s_per_particle"] = benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void compile(benchmark::State& state) {
+  const Preset preset = bouncing(state.range(0));
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    const auto explosion = *Explosion::compile(preset, std::nullopt, nullptr, {.threads = 1, .force_baseline = state.range(1) == 0});
+    bytes = explosion->memoryBytes();
+  }
+  perParticle(state, state.range(0));
+  state.counters["bytes_per_particle"] = static_cast<double>(bytes) / static_cast<double>(state.range(0));
+}
+BENCHMARK(compile)->ArgNames({"particles", "avx2"})->Args({100, 1})->Args({100000, 0})->Args({100000, 1})->Args({1000000, 1})->Unit(benchmark::kMillisecond);
+
+void at(benchmark::State& state, unsigned fields) {
+  const Preset preset = bouncing(state.range(0));
+  const auto explosion = *Explosion::compile(preset, std::nullopt, nullptr, {.threads = 1, .force_baseline = state.range(1) == 0});
+  Frame frame;
+  double t = 0.0, bounces = 0.0;
+  for (auto _ : state) {
+    // Times all over the effect, as scrubbing asks for them.
+    t += 3.7;
+    if (t > 12.0) t -= 12.0;
+    explosion->at(t, frame, fields);
+    benchmark::DoNotOptimize(frame.y.data());
+    benchmark::ClobberMemory();
+  }
+  explosion->at(11.0, frame, kAllFields);
+  for (std::size_t i = 0; i < frame.count; ++i) bounces += frame.bounces[i];
+  state.counters["mean_bounces"] = bounces / static_cast<double>(frame.count);
+  perParticle(state, state.range(0));
+}
+BENCHMARK_CAPTURE(at, positions, kPosition)->ArgNames({"particles", "avx2"})->Args({10000, 1})->Args({100000, 0})->Args({100000, 1})->Args({1000000, 1});
+BENCHMARK_CAPTURE(at, positions_velocities, kVelocity)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
+BENCHMARK_CAPTURE(at, everything, kAllFields)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
+
+}  // namespace
+}  // namespace npsee
+
+BENCHMARK_MAIN();
