@@ -3,6 +3,7 @@
 #include "app/gl/context.h"
 #include "app/render/camera.h"
 #include "app/render/image.h"
+#include "app/render/template_geometry.h"
 
 #include <npsee/explosion.h>
 #include <npsee/preset.h>
@@ -38,7 +39,9 @@ struct TemplateScene {
   int layer = 0;
   TemplateView view = TemplateView::surface;
   double yaw_rad = 0.6, pitch_rad = 0.35;  ///< viewing direction around the shape
-  Background background;
+  Background background;                   ///< sky means the template's own quiet dark
+  bool handles = false;                    ///< dots to drag; see TemplateCamera for where they lie in the picture
+  TemplateHandle active = TemplateHandle::none;  ///< drawn in the accent colour
 };
 
 /// Draws scenes into framebuffer objects of its own, with GL 3.3 core only. One instance per context; all calls on the

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "app/render/renderer.h"
+#include "app/render/template_camera.h"
+#include "app/render/template_geometry.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace npsee::render {
+
+/// Triangles with unit normals that point out of the shape.
+struct TemplateMesh {
+  struct Vertex {
+    std::array<float, 3> position, normal;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> triangles;
+};
+
+/// How a line or a dot is drawn. Behind the surface its opacity is multiplied by `hidden`.
+struct StrokeStyle {
+  Colour colour;
+  double width_px = 1.5;  ///< of a line, or diameter of a dot
+  double opacity = 1.0;
+  double hidden = 0.3;
+  double dash_px = 0.0;   ///< length of dashes and gaps; 0 = unbroken
+};
+
+/// Polyline in template space; the last point is the first again where it is closed. One point alone is a dot.
+struct Stroke {
+  std::vector<Vec3> points;
+  StrokeStyle style;
+};
+
+/// Everything that one view of a template shows, in the order of drawing.
+struct TemplateDrawing {
+  TemplateMesh mesh;
+  bool mesh_visible = true;  ///< otherwise it only hides what lies behind it
+  bool flat = false;         ///< facets filled quietly, as a ground for their edges
+  std::vector<Stroke> strokes;
+};
+
+/// The surface with exact normals at its vertices: `around` by `along` patches of two triangles each.
+TemplateMesh smoothMesh(const nurbs::Surface& surface, int around, int along);
+/// The same facets, each with its own vertices and the facet's normal.
+TemplateMesh flatMesh(const nurbs::Surface& surface, int around, int along);
+
+/// Facets of the polygon view.
+inline constexpr int kFacetsAround = 32, kFacetsAlong = 10;
+
+TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene, const TemplateCamera& camera);
+
+/// A stroke's corner, ready for the screen: expanded to its width, so that GL draws triangles only.
+struct StrokeVertex {
+  std::array<float, 4> clip;
+  std::array<float, 2> offset;   ///< pixels from the middle of the line (0, across) or of the dot
+  float half_width = 0.0f;       ///< pixels
+  float dash_px = 0.0f, along_px = 0.0f;
+  std::array<float, 4> colour;   ///< sRGB-coded, opacity
+  float hidden = 0.0f;
+};
+
+/// Triangles (three vertices each) of all strokes in a picture of the given size.
+std::vector<StrokeVertex> strokeTriangles(const std::vector<Stroke>& strokes, const TemplateCamera& camera, int width, int height);
+
+}  // namespace npsee::render
