@@ -8,10 +8,8 @@
 #include <npsee/explosion.h>
 #include <npsee/preset.h>
 
-#include <array>
 #include <memory>
-#include <optional>
-#include <vector>
+#include <span>
 
 namespace npsee::render {
 
@@ -21,10 +19,13 @@ struct Background {
   Colour colour;
 };
 
+/// What a frame has to hold to be drawn.
+inline constexpr unsigned kSceneFields = kVelocity | kLook | kOrientation;
+
 /// Everything one picture of an explosion shows. Plain data; the renderer keeps no state from picture to picture.
 struct Scene {
-  const Explosion* explosion = nullptr;  ///< may be null: an empty range
-  const Frame* frame = nullptr;          ///< state at the wanted time, with kLook | kOrientation
+  const Frame* frame = nullptr;       ///< state at the wanted time with kSceneFields; may be null: an empty range
+  std::span<const LayerSpan> layers;  ///< the frame's layers, `Explosion::layers()`
   double ground_height_m = 0.0;
   Colour ground_colour;
   Background background;

@@ -1,0 +1,67 @@
+#include "app/render/blend_order.h"
+
+#include "app/render/meshes.h"
+#include "app/render/solid_pass.h"
+
+#include <algorithm>
+
+namespace npsee::render {
+namespace {
+
+float kindOf(Form form) {
+  switch (form) {
+    case Form::smoke: return 1.0f;
+    case Form::fire: return 2.0f;
+    case Form::flash: return 3.0f;
+    default: return 0.0f;
+  }
+}
+
+/// 0..1 from a particle's index, for the turn of its puff (golden-ratio sequence: neighbours differ).
+float ownNumber(std::uint32_t index) { return static_cast<float>((index * 2654435769u) >> 8) * (1.0f / 16777216.0f); }
+
+BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in_layer, Form form) {
+  BlendedInstance out{frame.x[i], frame.y[i], frame.z[i], frame.size[i], frame.r[i], frame.g[i], frame.b[i], frame.a[i], {0.0f, 0.0f, 0.0f, 1.0f}, kindOf(form)};
+  if (!isSoft(form)) {
+    if (frame.qw.size() > i) {
+      const float q[4] = {frame.qx[i], frame.qy[i], frame.qz[i], frame.qw[i]};
+      std::copy(q, q + 4, out.p);
+    }
+    return out;
+  }
+  const bool moving = frame.vx.size() > i;
+  out.p[0] = moving ? frame.vx[i] : 0.0f;
+  out.p[1] = moving ? frame.vy[i] : 0.0f;
+  out.p[2] = moving ? frame.vz[i] : 0.0f;
+  out.p[3] = ownNumber(in_layer);
+  return out;
+}
+
+}  // namespace
+
+void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view) {
+  entries_.clear();
+  instances_.clear();
+  runs_.clear();
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const LayerSpan& layer = layers[l];
+    const bool soft = isSoft(layer.form);
+    const std::size_t end = std::min(layer.first + layer.count, frame.count);
+    for (std::size_t i = layer.first; i < end; ++i) {
+      const float a = frame.a[i];
+      if (frame.size[i] <= 0.0f || a <= 0.0f || (!soft && a > kOpaque)) continue;
+      const double depth = view.depthOf(static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i]));
+      entries_.push_back({static_cast<float>(depth), static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(l)});
+    }
+  }
+  std::ranges::sort(entries_, [](const Entry& a, const Entry& b) { return a.depth != b.depth ? a.depth > b.depth : a.index < b.index; });
+  for (const Entry& entry : entries_) {
+    const LayerSpan& layer = layers[entry.layer];
+    const bool joins = !runs_.empty() && (runs_.back().form == layer.form || (isSoft(runs_.back().form) && isSoft(layer.form)));
+    if (!joins) runs_.push_back({layer.form, instances_.size(), 0});
+    ++runs_.back().count;
+    instances_.push_back(instanceOf(frame, entry.index, entry.index - static_cast<std::uint32_t>(layer.first), layer.form));
+  }
+}
+
+}  // namespace npsee::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/render/frame_upload.h"
+#include "app/render/view.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace npsee::render {
+
+/// The particles that are blended (soft forms, and solid ones that are not opaque), from back to front. Ties keep the
+/// order of the frame, so that equal frames give equal pictures. Buffers are kept from frame to frame.
+class BlendOrder {
+ public:
+  /// Neighbours in the order that one call can draw.
+  struct Run {
+    Form form;  ///< any soft form stands for all of them
+    std::size_t first, count;
+  };
+
+  void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view);
+  std::span<const BlendedInstance> instances() const { return instances_; }
+  std::span<const Run> runs() const { return runs_; }
+
+ private:
+  struct Entry {
+    float depth;
+    std::uint32_t index;
+    std::uint32_t layer;
+  };
+  std::vector<Entry> entries_;
+  std::vector<BlendedInstance> instances_;
+  std::vector<Run> runs_;
+};
+
+}  // namespace npsee::render

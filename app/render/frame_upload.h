@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/gl/objects.h"
+
+#include <npsee/explosion.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace npsee::render {
+
+/// Attribute locations shared by the particle shaders; each is one float per particle.
+enum Attribute : unsigned { kX, kY, kZ, kSize, kR, kG, kB, kA, kQx, kQy, kQz, kQw, kMeshPosition, kMeshNormal, kKind };
+
+/// A frame's arrays in one GL buffer, section after section, as they come from the simulator. The buffer is orphaned for
+/// every frame, so that the driver need not wait for the last one.
+class FrameUpload {
+ public:
+  void upload(const Frame& frame);
+
+  /// Points the bound vertex array's instance attributes at the particles from `first` on. Position, size, colour and
+  /// opacity always; the orientation if `with_orientation`.
+  void bind(std::size_t first, bool with_orientation) const;
+
+ private:
+  gl::Buffer buffer_;
+  std::size_t count_ = 0;
+};
+
+/// One particle of those that are blended, which come in sorted order and so are copied out of the arrays.
+struct BlendedInstance {
+  float x, y, z, size;
+  float r, g, b, a;
+  float p[4];  ///< solid forms: quaternion; soft forms: velocity and the particle's own number 0..1
+  float kind;  ///< soft forms: 0 streak, 1 smoke, 2 fire, 3 flash
+};
+
+class BlendedUpload {
+ public:
+  void upload(std::span<const BlendedInstance> instances);
+  /// As FrameUpload::bind, with the kind.
+  void bind(std::size_t first) const;
+
+ private:
+  gl::Buffer buffer_;
+};
+
+}  // namespace npsee::render

@@ -1,0 +1,32 @@
+#include "app/render/shadow_pass.h"
+
+namespace npsee::render {
+
+Expected<ShadowPass> ShadowPass::create() {
+  auto program = gl::Program::fromFiles("shadow.vert", "shadow.frag");
+  if (!program) return tl::unexpected<Error>(program.error());
+  ShadowPass pass;
+  pass.program_ = std::move(*program);
+  pass.attributes_ = gl::VertexArray::make();
+  return pass;
+}
+
+void ShadowPass::draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m, double strength) const {
+  // Drawn between the ground and everything else, so no depth is needed.
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_CULL_FACE);
+  program_.use();
+  setView(program_, view);
+  program_.set("u_ground", static_cast<float>(ground_m));
+  program_.set("u_strength", static_cast<float>(strength));
+  // The sun's disc is half a degree wide (0.009); more looks softer.
+  program_.set("u_spread", 0.02f);
+  glBindVertexArray(attributes_.name());
+  particles.bind(first, false);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+}
+
+}  // namespace npsee::render

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/render/frame_upload.h"
+#include "app/render/view.h"
+
+namespace npsee::render {
+
+/// Streaks along the velocity, and camera-facing smoke, fire and flash, blended in the order given.
+class SoftPass {
+ public:
+  static Expected<SoftPass> create();
+  void draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m) const;
+
+ private:
+  gl::Program program_;
+  gl::VertexArray attributes_;
+  gl::Texture noise_;
+};
+
+}  // namespace npsee::render

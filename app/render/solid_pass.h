@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/render/frame_upload.h"
+#include "app/render/meshes.h"
+#include "app/render/view.h"
+
+#include <array>
+
+namespace npsee::render {
+
+/// Lit meshes, one instance per particle: tetrahedron, disc, sphere, shard.
+class SolidPass {
+ public:
+  static Expected<SolidPass> create();
+
+  /// Draws the opaque particles of a frame's range.
+  void drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m);
+  /// Blends particles in the order given.
+  void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m);
+
+ private:
+  struct LoadedMesh {
+    gl::VertexArray attributes;
+    gl::Buffer vertices, indices;
+    Mesh mesh;
+  };
+  LoadedMesh& loaded(Form form);
+  void prepare(const View& view, const LoadedMesh& mesh, double ground_m) const;
+
+  gl::Program program_;
+  std::array<LoadedMesh, 4> meshes_;  // made when first needed
+};
+
+/// Opacity from which a particle counts as opaque: what 8 bits cannot tell from 1.
+inline constexpr float kOpaque = 0.998f;
+
+}  // namespace npsee::render

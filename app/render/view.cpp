@@ -1,0 +1,84 @@
+#include "app/render/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee::render {
+namespace {
+
+Vec3 unit(const Vec3& v, const Vec3& otherwise) {
+  const double size = length(v);
+  return size > 1e-12 ? (1.0 / size) * v : otherwise;
+}
+
+/// Rows of clip = matrix * (x, y, z, 1), before the tile's window is cut out.
+struct Rows {
+  double m[4][4];
+};
+
+Rows perspective(const View& view, double tan_x, double tan_y, double near_m, double far_m) {
+  const auto row = [&](const Vec3& axis, double scale, double offset, double* out) {
+    out[0] = scale * axis.x;
+    out[1] = scale * axis.y;
+    out[2] = scale * axis.z;
+    out[3] = -scale * dot(axis, view.eye) + offset;
+  };
+  Rows rows{};
+  row(view.right, 1.0 / tan_x, 0.0, rows.m[0]);
+  row(view.up, 1.0 / tan_y, 0.0, rows.m[1]);
+  row(view.back, -(far_m + near_m) / (far_m - near_m), -2.0 * far_m * near_m / (far_m - near_m), rows.m[2]);
+  row(view.back, -1.0, 0.0, rows.m[3]);
+  return rows;
+}
+
+}  // namespace
+
+View makeView(const Camera& camera, int width, int height, const Tile& tile) {
+  View view;
+  view.eye = camera.eye;
+  view.distance_m = std::max(length(camera.target - camera.eye), 1e-3);
+  view.back = unit(camera.eye - camera.target, {0.0, 0.0, 1.0});
+  // Looking straight up or down, north (-z) is up in the picture.
+  const Vec3 upward = std::abs(view.back.y) > 0.99999 ? Vec3{0.0, 0.0, -1.0} : Vec3{0.0, 1.0, 0.0};
+  view.right = unit(cross(upward, view.back), {1.0, 0.0, 0.0});
+  view.up = cross(view.back, view.right);
+
+  const double tan_y = std::tan(0.5 * camera.fov_y_rad);
+  const double tan_x = tan_y * width / height;
+  view.metre_per_pixel = 2.0 * tan_y / height;
+  view.ray_x = view.metre_per_pixel * view.right;
+  view.ray_y = view.metre_per_pixel * view.up;
+  view.ray_origin = (tile.x - 0.5 * width) * view.ray_x + (tile.y - 0.5 * height) * view.ray_y - view.back;
+
+  // The near plane follows the distance, so that depth keeps its precision where the effect is.
+  const double near_m = std::clamp(0.01 * view.distance_m, 0.02, 20.0);
+  const Rows rows = perspective(view, tan_x, tan_y, near_m, 1e6 * near_m);
+  const double scale_x = static_cast<double>(width) / tile.width, scale_y = static_cast<double>(height) / tile.height;
+  const double shift_x = (width - 2.0 * tile.x) / tile.width - 1.0, shift_y = (height - 2.0 * tile.y) / tile.height - 1.0;
+  for (int column = 0; column < 4; ++column) {
+    const double w = rows.m[3][column];
+    view.view_projection[4 * column + 0] = static_cast<float>(scale_x * rows.m[0][column] + shift_x * w);
+    view.view_projection[4 * column + 1] = static_cast<float>(scale_y * rows.m[1][column] + shift_y * w);
+    view.view_projection[4 * column + 2] = static_cast<float>(rows.m[2][column]);
+    view.view_projection[4 * column + 3] = static_cast<float>(w);
+  }
+  return view;
+}
+
+void setVec3(const gl::Program& program, const char* uniform, const Vec3& value) {
+  program.set(uniform, static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z));
+}
+
+void setView(const gl::Program& program, const View& view) {
+  program.setMatrix("u_view_projection", view.view_projection);
+  setVec3(program, "u_eye", view.eye);
+  setVec3(program, "u_right", view.right);
+  setVec3(program, "u_up", view.up);
+  setVec3(program, "u_back", view.back);
+  setVec3(program, "u_ray_origin", view.ray_origin);
+  setVec3(program, "u_ray_x", view.ray_x);
+  setVec3(program, "u_ray_y", view.ray_y);
+  program.set("u_metre_per_pixel", static_cast<float>(view.metre_per_pixel));
+}
+
+}  // namespace npsee::render

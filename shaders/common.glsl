@@ -1,0 +1,25 @@
+// Shared by all shaders: world is x east, y up, z south, metres; colours are linear unless said otherwise.
+
+const vec3 kKeyDirection = vec3(-0.5263, 0.7105, 0.4671);  // towards the key light, unit length: afternoon sun in the south-west
+const vec3 kKeyLight = vec3(1.12, 1.04, 0.92);
+const vec3 kSkyAmbient = vec3(0.34, 0.39, 0.46);
+const vec3 kGroundAmbient = vec3(0.17, 0.155, 0.13);
+const vec3 kHorizon = vec3(0.400, 0.465, 0.520);
+const vec3 kZenith = vec3(0.085, 0.160, 0.290);
+
+// sRGB-coded to linear, within 0.002 of IEC 61966-2-1 over 0..1, without a power function.
+vec3 linearFromSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+
+vec3 ambientLight(vec3 normal) { return mix(kGroundAmbient, kSkyAmbient, 0.5 + 0.5 * normal.y); }
+
+vec3 litDiffuse(vec3 albedo, vec3 normal) {
+  return albedo * (kKeyLight * max(dot(normal, kKeyDirection), 0.0) + ambientLight(normal));
+}
+
+// Sky seen in a direction (not normalised).
+vec3 skyColour(vec3 direction) {
+  float up = clamp(direction.y * inversesqrt(dot(direction, direction)), 0.0, 1.0);
+  float haze = 1.0 - up;
+  haze *= haze;
+  return mix(kZenith, kHorizon, haze * haze);
+}

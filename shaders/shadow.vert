@@ -1,0 +1,34 @@
+#version 330 core
+#include "common.glsl"
+layout(location = 0) in float a_x;     // world m
+layout(location = 1) in float a_y;
+layout(location = 2) in float a_z;
+layout(location = 3) in float a_size;  // m, 0 = not alive
+layout(location = 7) in float a_a;     // opacity
+
+uniform mat4 u_view_projection;  // world to clip
+uniform float u_ground;          // ground height, world m
+uniform float u_strength;        // darkness under a solid form, 0..1
+uniform float u_spread;          // growth of the penumbra per metre of height
+
+out vec2 v_disc;    // -1..1 over the blob
+out float v_dark;   // darkness at its centre
+out float v_soft;   // share of the radius that is penumbra
+
+void main() {
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  float height = a_y - u_ground;
+  float core = 0.40 * a_size;
+  float radius = core * 1.25 + u_spread * max(height, 0.0);
+  // The same shade spread over a larger area is fainter.
+  float dark = u_strength * a_a * core * core / max(radius * radius, 1e-8);
+  if (height < -0.5 * a_size || a_size <= 0.0 || dark < 0.004) radius = 0.0;
+  vec2 along = normalize(kKeyDirection.xz);
+  vec2 across = vec2(-along.y, along.x);
+  vec2 centre = vec2(a_x, a_z) - kKeyDirection.xz / kKeyDirection.y * max(height, 0.25 * a_size);
+  vec2 place = centre + radius * (corner.x * along / kKeyDirection.y + corner.y * across);
+  v_disc = corner;
+  v_dark = min(1.6 * dark, u_strength);
+  v_soft = clamp((radius - 0.8 * core) / max(radius, 1e-8), 0.3, 1.0);
+  gl_Position = u_view_projection * vec4(place.x, u_ground, place.y, 1.0);
+}

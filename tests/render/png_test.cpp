@@ -1,0 +1,72 @@
+#include "app/render/image.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace npsee::render {
+namespace {
+
+Image gradient(int width, int height, bool with_alpha) {
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (const int v : {x * 7 + y, y * 3, x ^ y, with_alpha ? x + y : 255}) image.rgba.push_back(static_cast<std::uint8_t>(v & 255));
+  return image;
+}
+
+TEST(Png, PicturesSurviveWithAndWithoutAlpha) {
+  const test::TemporaryFolder folder;
+  for (const bool with_alpha : {false, true}) {
+    const Image image = gradient(37, 19, with_alpha);
+    ASSERT_TRUE(writePng(image, folder / "a.png"));
+    const auto back = readPng(folder / "a.png");
+    ASSERT_TRUE(back) << back.error().text();
+    EXPECT_EQ(back->width, 37);
+    EXPECT_EQ(back->height, 19);
+    EXPECT_EQ(back->rgba, image.rgba);
+    // Colour type in the header: 2 is RGB, 6 RGB with alpha.
+    EXPECT_EQ(test::slurp(folder / "a.png").at(25), with_alpha ? 6 : 2);
+  }
+}
+
+TEST(Png, EqualPicturesGiveEqualBytes) { EXPECT_EQ(*encodePng(gradient(64, 48, true)), *encodePng(gradient(64, 48, true))); }
+
+TEST(Png, AnEmptyPictureIsRefused) {
+  EXPECT_FALSE(encodePng(Image{}));
+  EXPECT_FALSE(encodePng(Image{4, 4, {}}));
+}
+
+TEST(Png, DamagedAndForeignFilesAreRefusedWithTheirName) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writePng(gradient(64, 64, true), folder / "good.png"));
+  const std::string good = test::slurp(folder / "good.png");
+  test::spill(folder / "short.png", good.substr(0, good.size() / 2));
+  test::spill(folder / "text.png", "not a picture");
+  test::spill(folder / "empty.png", "");
+  std::string broken = good;
+  broken[good.size() / 2] = static_cast<char>(broken[good.size() / 2] ^ 0x55);
+  test::spill(folder / "broken.png", broken);
+  // A header that claims 2^31 - 1 pixels a side must not make us ask for that memory.
+  std::string huge = good;
+  for (const std::size_t at : {16u, 20u}) huge.replace(at, 4, std::string("\x7f\xff\xff\xff", 4));
+  test::spill(folder / "huge.png", huge);
+  for (const char* name : {"short.png", "text.png", "empty.png", "broken.png", "huge.png", "missing.png"}) {
+    const auto image = readPng(folder / name);
+    ASSERT_FALSE(image) << name;
+    EXPECT_EQ(image.error().kind, ErrorKind::input);
+    EXPECT_NE(image.error().text().find(name), std::string::npos) << image.error().text();
+  }
+}
+
+TEST(Png, AnUnwritablePlaceIsAnOutputErrorAndLeavesNothing) {
+  const test::TemporaryFolder folder;
+  const auto written = writePng(gradient(8, 8, false), folder / "no/such/a.png");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().kind, ErrorKind::output);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace npsee::render
