@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace npsee {
 namespace {
@@ -13,12 +14,58 @@ int lineAt(std::string_view text, std::size_t offset) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n'));
 }
 
-/// Walks well-formed JSON and notes on which line each value begins, and keys given twice. The parser keeps no places.
-class Scanner {
- public:
-  Scanner(std::string_view text, std::unordered_map<std::string, int>& lines) : text_(text), lines_(lines) {}
+/// A place where the text breaks a limit, found before it is parsed.
+struct Excess {
+  std::size_t offset;
+  std::string what;
+};
 
-  void run() { value(""); }
+std::optional<Excess> firstExcess(std::string_view text) {
+  std::vector<int> commas;  // per open bracket; -1 marks a list, whose length has no limit
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      else if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '{' || c == '[') {
+      if (commas.size() == kMaxJsonDepth) return Excess{i, "nests deeper than " + std::to_string(kMaxJsonDepth) + " levels."};
+      commas.push_back(c == '[' ? -1 : 0);
+    } else if ((c == '}' || c == ']') && !commas.empty()) {
+      commas.pop_back();
+    } else if (c == ',' && !commas.empty() && commas.back() >= 0 && ++commas.back() >= kMaxJsonKeys) {
+      return Excess{i, "has an object with more than " + std::to_string(kMaxJsonKeys) + " keys."};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The parser's own words without its exception number and position, which we give ourselves.
+std::string parserReason(std::string message) {
+  if (const std::size_t colon = message.find(": "); message.starts_with("[json") && colon != std::string::npos) message.erase(0, colon + 2);
+  if (const std::size_t last_read = message.find("; last read: "); last_read != std::string::npos) {
+    const std::string rest = message.substr(last_read + 13);
+    message.erase(last_read);
+    message += " near " + rest.substr(0, 60);
+  }
+  return message;
+}
+
+Fault faultAt(std::string_view file, int line, std::string what, std::string remedy) {
+  return {.what = std::move(what), .remedy = std::move(remedy), .file = std::string(file), .line = line, .pointer = {}};
+}
+
+}  // namespace
+
+/// Walks well-formed JSON and notes on which line each value begins, and keys given twice. The parser keeps no places.
+class JsonText::Scanner {
+ public:
+  Scanner(std::string_view text, std::vector<Place>& places) : text_(text), places_(places) {}
+
+  void run() { value(); }
+  /// Pointers and lines of keys given twice, the first hundred.
   const std::vector<std::pair<std::string, int>>& repeated() const { return repeated_; }
 
  private:
@@ -42,87 +89,58 @@ class Scanner {
   }
 
   // Recursion is bounded: the nesting was checked before.
-  void value(const std::string& pointer) {
+  void value() {
     const char first = peek();
-    lines_.emplace(pointer, line_);
+    const std::size_t here = places_.size();
+    places_.push_back({line_, 1});
     if (first == '{') {
-      object(pointer);
+      object();
     } else if (first == '[') {
-      array(pointer);
+      array();
     } else if (first == '"') {
       string();
     } else {
       while (at_ < text_.size() && std::string_view(",]} \t\r\n").find(text_[at_]) == std::string_view::npos) ++at_;
     }
+    places_[here].values = static_cast<std::uint32_t>(places_.size() - here);
   }
 
-  void object(const std::string& pointer) {
+  void object() {
     ++at_;
+    std::vector<std::string> keys;
+    const std::size_t parent = pointer_.size();
     while (peek() == '"') {
-      const int key_line = line_;
-      const std::string key = ordered_json::parse(string()).get<std::string>();
-      const std::string child = pointer + '/' + pointerToken(key);
-      if (lines_.contains(child)) repeated_.emplace_back(child, key_line);
+      keys.push_back(ordered_json::parse(string()).get<std::string>());
+      pointer_ += '/' + pointerToken(keys.back());
+      if (repeated_.size() < 100 && std::find(keys.begin(), keys.end() - 1, keys.back()) != keys.end() - 1) repeated_.emplace_back(pointer_, line_);
       peek();
       ++at_;  // the colon
-      value(child);
+      value();
+      pointer_.resize(parent);
       if (peek() == ',') ++at_;
     }
     ++at_;
   }
 
-  void array(const std::string& pointer) {
+  void array() {
     ++at_;
+    const std::size_t parent = pointer_.size();
     for (std::size_t index = 0; peek() != ']' && peek() != '\0'; ++index) {
-      value(pointer + '/' + std::to_string(index));
+      pointer_ += '/' + std::to_string(index);
+      value();
+      pointer_.resize(parent);
       if (peek() == ',') ++at_;
     }
     ++at_;
   }
 
   std::string_view text_;
-  std::unordered_map<std::string, int>& lines_;
+  std::vector<Place>& places_;
   std::vector<std::pair<std::string, int>> repeated_;
+  std::string pointer_;
   std::size_t at_ = 0;
   int line_ = 1;
 };
-
-/// Offset at which the nesting first exceeds the limit, or npos.
-std::size_t tooDeepAt(std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      else if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kMaxJsonDepth) return i;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return std::string_view::npos;
-}
-
-/// The parser's own words without its exception number and position, which we give ourselves.
-std::string parserReason(std::string message) {
-  if (const std::size_t colon = message.find(": "); message.starts_with("[json") && colon != std::string::npos) message.erase(0, colon + 2);
-  if (const std::size_t last_read = message.find("; last read: "); last_read != std::string::npos) {
-    const std::string rest = message.substr(last_read + 13);
-    message.erase(last_read);
-    message += " near " + rest.substr(0, 60);
-  }
-  return message;
-}
-
-Fault faultAt(std::string_view file, int line, std::string what, std::string remedy) {
-  return {.what = std::move(what), .remedy = std::move(remedy), .file = std::string(file), .line = line, .pointer = {}};
-}
-
-}  // namespace
 
 JsonText::JsonText() : root_(std::make_unique<ordered_json>()) {}
 JsonText::~JsonText() = default;
@@ -130,9 +148,8 @@ JsonText::JsonText(JsonText&&) noexcept = default;
 
 Expected<JsonText> JsonText::parse(std::string_view text, std::string_view file) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  if (const std::size_t deep = tooDeepAt(text); deep != std::string_view::npos)
-    return fail(ErrorKind::input, faultAt(file, lineAt(text, deep), "nests deeper than " + std::to_string(kMaxJsonDepth) + " levels.",
-                                          "No file of npsee needs that; check what wrote it."));
+  if (auto excess = firstExcess(text))
+    return fail(ErrorKind::input, faultAt(file, lineAt(text, excess->offset), std::move(excess->what), "No file of npsee needs that; check what wrote it."));
   JsonText out;
   out.file_ = std::string(file);
   try {
@@ -144,7 +161,7 @@ Expected<JsonText> JsonText::parse(std::string_view text, std::string_view file)
     return fail(ErrorKind::input, faultAt(file, 0, "is not JSON: " + parserReason(error.what()) + ".", "Numbers must be finite and fit a double."));
   }
 
-  Scanner scanner(text, out.lines_);
+  Scanner scanner(text, out.places_);
   scanner.run();
   if (!scanner.repeated().empty()) {
     Error error{ErrorKind::input, {}};
@@ -161,8 +178,25 @@ Expected<JsonText> JsonText::parse(std::string_view text, std::string_view file)
 const ordered_json& JsonText::root() const { return *root_; }
 
 int JsonText::line(const std::string& pointer) const {
-  const auto found = lines_.find(pointer);
-  return found == lines_.end() ? 0 : found->second;
+  // Down the value and along the places side by side: both keep the order of the text.
+  const ordered_json* value = root_.get();
+  std::size_t at = 0;
+  for (std::size_t begin = 0; begin < pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', begin + 1), pointer.size());
+    const std::string token = pointer.substr(begin + 1, end - begin - 1);
+    const ordered_json* found = nullptr;
+    std::size_t index = 0;
+    ++at;  // the first value inside
+    if (!value->is_structured()) return 0;
+    for (auto child = value->begin(); child != value->end() && found == nullptr; ++child, ++index) {
+      if (token == (value->is_object() ? pointerToken(child.key()) : std::to_string(index))) found = &*child;
+      else at += places_[at].values;
+    }
+    if (found == nullptr) return 0;
+    value = found;
+    begin = end;
+  }
+  return places_[at].line;
 }
 
 Fault JsonText::fault(const std::string& pointer, std::string what, std::string remedy) const {

@@ -4,21 +4,23 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace npsee {
 
-/// Deepest nesting of a file.
+/// Deepest nesting of a file, and most keys of one object (the parser compares each with all others).
 inline constexpr int kMaxJsonDepth = 64;
+inline constexpr int kMaxJsonKeys = 256;
 
 /// A parsed file that still knows on which line each value stands.
 class JsonText {
  public:
-  /// Error kind input with file and line: malformed text, nesting too deep, a key given twice, a number beyond double.
+  /// Error kind input with file and line: malformed text, nesting too deep, too many keys, a key given twice, a number beyond
+  /// double. Memory stays in proportion to the text.
   static Expected<JsonText> parse(std::string_view text, std::string_view file);
   ~JsonText();
   JsonText(JsonText&&) noexcept;
@@ -32,9 +34,15 @@ class JsonText {
 
  private:
   JsonText();
+  /// Where a value begins, and how many values it is with all inside it.
+  struct Place {
+    int line = 0;
+    std::uint32_t values = 1;
+  };
+  class Scanner;
   std::string file_;
   std::unique_ptr<nlohmann::ordered_json> root_;
-  std::unordered_map<std::string, int> lines_;
+  std::vector<Place> places_;  ///< of every value in the order of the text
 };
 
 /// Escapes a key for use in a JSON pointer (RFC 6901).

@@ -29,6 +29,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
   if (word.empty() || word.size() > 128) return best;
   std::size_t least = std::max<std::size_t>(2, (word.size() + 1) / 2) + 1;
   for (const std::string_view candidate : candidates) {
+    // Every letter of difference in length is an edit: most candidates are out before they are compared.
+    if (word.size() >= candidate.size() + least) continue;
     std::size_t distance = editDistance(word, candidate);
     // "speed" should find "speed_mean" although five letters are missing.
     if (candidate.size() > word.size() && word.size() >= 3 && candidate.find(word) != std::string_view::npos)
@@ -48,6 +50,23 @@ std::string listed(const std::vector<std::string_view>& words) {
     out += words[i];
   }
   return out;
+}
+
+bool validUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+    const unsigned first = byte(i), second = byte(i + 1);
+    std::size_t length = 1;
+    // Table 3-7 of the Unicode standard: the second byte's range depends on the first.
+    if (first >= 0xf0 && first <= 0xf4 && second >= (first == 0xf0 ? 0x90u : 0x80u) && second <= (first == 0xf4 ? 0x8fu : 0xbfu)) length = 4;
+    else if (first >= 0xe0 && first <= 0xef && second >= (first == 0xe0 ? 0xa0u : 0x80u) && second <= (first == 0xed ? 0x9fu : 0xbfu)) length = 3;
+    else if (first >= 0xc2 && first <= 0xdf && second >= 0x80 && second <= 0xbf) length = 2;
+    else if (first >= 0x80) return false;
+    for (std::size_t k = 2; k < length; ++k)
+      if (byte(i + k) < 0x80 || byte(i + k) > 0xbf) return false;
+    i += length;
+  }
+  return true;
 }
 
 std::string_view trimmed(std::string_view text) {

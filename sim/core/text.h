@@ -13,6 +13,9 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
 /// "a, b and c".
 std::string listed(const std::vector<std::string_view>& words);
 
+/// Whether `text` is well-formed UTF-8 (no overlong forms, no surrogates).
+bool validUtf8(std::string_view text);
+
 std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> splitAt(std::string_view text, char separator);
 

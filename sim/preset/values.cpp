@@ -56,6 +56,8 @@ std::string checkText(const Parameter& row, const std::string& text) {
     if (const auto near = nearest(text, keys)) out += " Did you mean " + std::string(*near) + "?";
     return out;
   }
+  // A file could not keep it: JSON is UTF-8.
+  if (!validUtf8(text)) return std::string(row.key) + " is not UTF-8 text.";
   if (static_cast<double>(text.size()) > row.hard.max)
     return std::string(row.key) + " has " + std::to_string(text.size()) + " characters, above the limit of " + shortest(row.hard.max) + ".";
   if (static_cast<double>(text.size()) < row.hard.min) return std::string(row.key) + " is empty.";

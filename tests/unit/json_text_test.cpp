@@ -15,6 +15,8 @@ TEST(JsonText, KnowsTheLineOfEveryValue) {
   EXPECT_EQ(json->line("/a/1/b~1c"), 3);
   EXPECT_EQ(json->line("/d"), 4);
   EXPECT_EQ(json->line("/nowhere"), 0);
+  EXPECT_EQ(json->line("/a/2"), 0);
+  EXPECT_EQ(json->line("/d/0"), 0);
 }
 
 TEST(JsonText, NamesTheLineOfASyntaxError) {
@@ -30,6 +32,28 @@ TEST(JsonText, RefusesNanInfinityHugeNumbersAndDeepNesting) {
   const auto deep = JsonText::parse(std::string(100000, '['), "f");
   ASSERT_FALSE(deep);
   EXPECT_NE(deep.error().text().find("nests deeper than 64"), std::string::npos);
+}
+
+TEST(JsonText, RefusesMoreKeysInOneObjectThanAnyFileNeeds) {
+  const auto object = [](int keys) {
+    std::string text;
+    for (int i = 0; i < keys; ++i) text += (i == 0 ? "" : ",\n") + ('"' + std::to_string(i)) + "\": [1, 2]";
+    return '{' + text + '}';
+  };
+  EXPECT_TRUE(JsonText::parse(object(kMaxJsonKeys), "f"));
+  const auto many = JsonText::parse(object(kMaxJsonKeys + 1), "f");
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.error().text(), "f:256: has an object with more than 256 keys.\n  No file of npsee needs that; check what wrote it.");
+}
+
+// With a pointer kept for each value this would take a terabyte.
+TEST(JsonText, ManyValuesBelowALongKeyTakeMemoryInProportionToTheText) {
+  const std::string key(1u << 20, 'k');
+  std::string text = "{\"" + key + "\": [0";
+  for (int i = 0; i < 1'000'000; ++i) text += ",0";
+  const auto json = JsonText::parse(text + ",\n1]}", "f");
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json->line('/' + key + "/1000001"), 2);
 }
 
 TEST(JsonText, RefusesAKeyGivenTwiceWithBothItsPlaceAndPointer) {
