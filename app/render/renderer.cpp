@@ -7,6 +7,7 @@
 #include "app/render/soft_pass.h"
 #include "app/render/solid_pass.h"
 #include "app/render/target.h"
+#include "app/render/template_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,25 @@ Expected<void> checkSize(int width, int height) {
               "Width and height go from 1 to " + std::to_string(kMaxPictureSize) + " pixels.");
 }
 
+Expected<void> drawnWithoutError() {
+  if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver failed while drawing: ") + error + ".", "LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.");
+  return {};
+}
+
+Expected<void> sizedTarget(Target& target, int width, int height) {
+  if (auto sized = checkSize(width, height); !sized) return sized;
+  return target.resize(width, height);
+}
+
+Image readBack(const Target& target) {
+  Image image{target.width(), target.height(), {}};
+  image.rgba.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+  target.bindFinished();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  return image;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -49,7 +69,9 @@ struct Renderer::Impl {
   SolidPass solid;
   ShadowPass shadow;
   FinishPass finish;
-  std::optional<SoftPass> soft;  // its shader is compiled when a preset needs it: start-up time counts
+  // Shaders that not every picture needs are compiled when one does: start-up time counts.
+  std::optional<SoftPass> soft;
+  std::optional<TemplatePass> icon;
   FrameUpload frame;
   BlendedUpload blended;
   BlendOrder order;
@@ -59,6 +81,7 @@ struct Renderer::Impl {
   void drawOpaque(const Scene& scene, const View& view);
   Expected<void> drawBlended(const Scene& scene, const View& view, double ground_m);
   Expected<void> draw(const Scene& scene, const View& view, Target& target, bool rows_from_top);
+  Expected<void> draw(const TemplateScene& scene, Target& target, bool rows_from_top);
 };
 
 void Renderer::Impl::drawShadows(const Scene& scene, const View& view) const {
@@ -109,8 +132,21 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Target
   // The sky and ground cover everything; what stands behind them does not matter.
   const Colour* behind = scene.background.kind == Background::Kind::transparent ? nullptr : &scene.background.colour;
   finish.draw(target, behind, rows_from_top);
-  if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver failed while drawing: ") + error + ".", "LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.");
-  return {};
+  return drawnWithoutError();
+}
+
+Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Target& target, bool rows_from_top) {
+  if (scene.preset == nullptr || scene.layer < 0 || static_cast<std::size_t>(scene.layer) >= scene.preset->layers.size())
+    return fail(ErrorKind::usage, "there is no layer " + std::to_string(scene.layer) + " to draw a template of.", "Choose one of the preset's layers, or add one.");
+  if (!icon) {
+    auto pass = TemplatePass::create();
+    if (!pass) return tl::unexpected<Error>(pass.error());
+    icon = std::move(*pass);
+  }
+  target.begin();
+  icon->draw(scene, target.width(), target.height());
+  finish.draw(target, TemplatePass::background(scene), rows_from_top);
+  return drawnWithoutError();
 }
 
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
@@ -131,34 +167,33 @@ Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
 Expected<unsigned> Renderer::drawToTexture(const Scene& scene, const Camera& camera, int width, int height, int slot) {
-  if (auto sized = checkSize(width, height); !sized) return tl::unexpected<Error>(sized.error());
   Target& target = impl_->targets.at(static_cast<std::size_t>(slot));
-  if (auto made = target.resize(width, height); !made) return tl::unexpected<Error>(made.error());
+  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
   const View view = makeView(camera, width, height, {0, 0, width, height});
   if (auto drawn = impl_->draw(scene, view, target, false); !drawn) return tl::unexpected<Error>(drawn.error());
   return target.finished();
 }
 
-Expected<unsigned> Renderer::drawToTexture(const TemplateScene&, int, int, int) {
-  return fail(ErrorKind::graphics, "the template cannot be drawn by this build.");
+Expected<unsigned> Renderer::drawToTexture(const TemplateScene& scene, int width, int height, int slot) {
+  Target& target = impl_->targets.at(static_cast<std::size_t>(slot));
+  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
+  if (auto drawn = impl_->draw(scene, target, false); !drawn) return tl::unexpected<Error>(drawn.error());
+  return target.finished();
 }
 
 Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height) {
-  if (auto sized = checkSize(width, height); !sized) return tl::unexpected<Error>(sized.error());
   Target& target = impl_->targets[0];
-  if (auto made = target.resize(width, height); !made) return tl::unexpected<Error>(made.error());
+  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
   const View view = makeView(camera, width, height, {0, 0, width, height});
   if (auto drawn = impl_->draw(scene, view, target, true); !drawn) return tl::unexpected<Error>(drawn.error());
-  Image image{width, height, {}};
-  image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  target.bindFinished();
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  return image;
+  return readBack(target);
 }
 
-Expected<Image> Renderer::drawToImage(const TemplateScene&, int, int) {
-  return fail(ErrorKind::graphics, "the template cannot be drawn by this build.");
+Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int height) {
+  Target& target = impl_->targets[1];
+  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
+  if (auto drawn = impl_->draw(scene, target, true); !drawn) return tl::unexpected<Error>(drawn.error());
+  return readBack(target);
 }
 
 }  // namespace npsee::render

@@ -11,7 +11,8 @@ namespace {
 
 // A narrow view keeps sides that lean alike looking alike.
 constexpr double kFieldOfView = 0.42;
-constexpr double kMargin = 1.06;
+// Room for lines and handles at the rim; round a ball also for what stands on the base plane below it.
+constexpr double kMargin = 1.06, kBallMargin = 1.22;
 
 /// Azimuth whose direction from the axis lies furthest from the line of sight, on the right.
 double sideAzimuth(const nurbs::Affine& frame, const Vec3& forward, const Vec3& right) {
@@ -21,6 +22,9 @@ double sideAzimuth(const nurbs::Affine& frame, const Vec3& forward, const Vec3& 
   if (dot(side, right) < 0.0) side = -1.0 * side;
   return std::atan2(-dot(frame.z, side), dot(frame.x, side));
 }
+
+/// Distance at which the largest ball touches the edges of a view with this tangent of half its angle.
+double ballDistance(double half) { return kBallMargin * kLargestBall / std::sin(std::atan(half)); }
 
 /// The handle as it would be for a parameter at a fraction 0..1 of its path.
 Vec3 handleAt(TemplateShape& shape, TemplateHandle which, double share, double azimuth) {
@@ -38,19 +42,33 @@ Vec3 handleAt(TemplateShape& shape, TemplateHandle which, double share, double a
 }  // namespace
 
 TemplateCamera::TemplateCamera(const TemplateShape& shape, double yaw_rad, double pitch_rad, int width, int height) : width_(width), height_(height) {
-  const double reach = kMargin * (shape.ball ? kBallReach : kTemplateReach);
-  // The sphere that holds the shape touches the nearer pair of edges.
-  const double half = std::tan(0.5 * kFieldOfView), narrow = std::atan(half * std::min(1.0, width_ / height_));
-  const double distance = reach / std::sin(narrow);
   const double cp = std::cos(pitch_rad), sp = std::sin(pitch_rad), cy = std::cos(yaw_rad), sy = std::sin(yaw_rad);
   forward_ = {-sy * cp, -sp, -cy * cp};
   right_ = {cy, 0.0, -sy};
   up_ = cross(right_, forward_);
+  azimuth_ = sideAzimuth(shape.frame, forward_, right_);
+  const double half = std::tan(0.5 * kFieldOfView), half_x = half * width_ / height_;
+  const double distance = shape.ball ? ballDistance(std::min(half, half_x)) : cupDistance(shape, half_x, half);
   eye_ = templateCentre(shape) - distance * forward_;
   focal_ = 1.0 / half;
   near_ = std::max(0.02 * distance, distance - 4.0);
   far_ = distance + 6.0;
-  azimuth_ = sideAzimuth(shape.frame, forward_, right_);
+}
+
+double TemplateCamera::cupDistance(const TemplateShape& shape, double half_x, double half_y) const {
+  constexpr int kAround = 48;
+  const Vec3 centre = templateCentre(shape);
+  double distance = 0.0;
+  for (int i = 0; i < kAround; ++i) {
+    // Places count from the side of the view, so that the distance stays the same when it turns.
+    const double angle = azimuth_ + kTwoPi * i / kAround;
+    for (const double y : {0.0, kLargestCupHeight}) {
+      const Vec3 turned = shape.frame({kLargestCupRadius * std::cos(angle), y, -kLargestCupRadius * std::sin(angle)}) - shape.origin;
+      const Vec3 p = (kMargin / shape.scale) * turned + shape.origin - centre;
+      distance = std::max({distance, std::fabs(dot(p, right_)) / half_x - dot(p, forward_), std::fabs(dot(p, up_)) / half_y - dot(p, forward_)});
+    }
+  }
+  return distance;
 }
 
 TemplateCamera::Pixel TemplateCamera::project(const Vec3& point) const {
@@ -96,6 +114,11 @@ double TemplateCamera::dragged(const TemplateShape& shape, TemplateHandle which,
   }
   const Vec3 point = handleAt(trial, which, 0.5 * (low + high), azimuth_);
   return shape.valueAt(which, point, azimuth_);
+}
+
+Vec3 TemplateCamera::lamp() const {
+  const Vec3 towards = 0.75 * up_ - 0.55 * right_ - 0.75 * forward_;
+  return (1.0 / length(towards)) * towards;
 }
 
 std::array<float, 16> TemplateCamera::viewProjection() const {

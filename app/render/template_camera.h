@@ -6,8 +6,8 @@
 
 namespace npsee::render {
 
-/// The view of a template: a perspective camera on a sphere around the shape's middle, at a distance that depends on the kind of
-/// shape and the picture's aspect only, so that a larger shape also looks larger.
+/// The view of a template: a perspective camera around the middle of the largest shape of its kind, at the distance where that one
+/// fills the picture. The shape's own size does not move it, so that a larger shape also looks larger.
 class TemplateCamera {
  public:
   /// Size in pixels. Yaw 0 looks north (from +z), growing to the east of it; pitch is the height over the base plane. With handles
@@ -32,10 +32,15 @@ class TemplateCamera {
 
   const Vec3& eye() const { return eye_; }
   const Vec3& forward() const { return forward_; }
+  /// Direction towards the lamp, which stands over the viewer's left shoulder.
+  Vec3 lamp() const;
   /// Template space to clip space, column by column.
   std::array<float, 16> viewProjection() const;
 
  private:
+  /// Distance from which the largest cup in this direction just fits; half_x and half_y are tangents of half the view's angles.
+  double cupDistance(const TemplateShape& shape, double half_x, double half_y) const;
+
   Vec3 eye_, right_, up_, forward_;
   double width_ = 1.0, height_ = 1.0, focal_ = 1.0, near_ = 0.1, far_ = 10.0, azimuth_ = 0.0;
 };

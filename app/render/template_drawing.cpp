@@ -9,10 +9,14 @@ namespace npsee::render {
 namespace {
 
 constexpr Colour byte(int r, int g, int b) { return {r / 255.0, g / 255.0, b / 255.0}; }
-constexpr Colour kGeometry = byte(0x5f, 0xb3, 0xd9);
-constexpr Colour kActive = byte(0xf2, 0xa3, 0x3c);
-constexpr Colour kText = byte(0xd9, 0xdc, 0xe3);
-constexpr Colour kDim = byte(0x8b, 0x92, 0xa0);
+constexpr TemplatePalette kOnDark{byte(0x5f, 0xb3, 0xd9), byte(0xf2, 0xa3, 0x3c), byte(0xd9, 0xdc, 0xe3), byte(0x8b, 0x92, 0xa0), byte(0x16, 0x18, 0x1c), byte(0x5f, 0xb3, 0xd9), byte(0x25, 0x44, 0x56)};
+constexpr TemplatePalette kOnLight{byte(0x1f, 0x7a, 0xa6), byte(0xb8, 0x6a, 0x00), byte(0x24, 0x29, 0x33), byte(0x5d, 0x65, 0x73), byte(0xff, 0xff, 0xff), byte(0x6c, 0xbd, 0xe2), byte(0xdc, 0xea, 0xf2)};
+
+const TemplatePalette& paletteOn(const Background& background) {
+  const Colour& c = background.colour;
+  // Luma as televisions weigh it; contrast only has to fall on the right side.
+  return background.kind == Background::Kind::colour && 0.299 * c.r + 0.587 * c.g + 0.114 * c.b > 0.5 ? kOnLight : kOnDark;
+}
 
 using Strokes = std::vector<Stroke>;
 
@@ -51,8 +55,8 @@ void addEllipse(Strokes& out, const Vec3& centre, double x, double z, const Stro
   out.push_back(std::move(stroke));
 }
 
-void addControlNet(Strokes& out, const nurbs::Surface& surface) {
-  const StrokeStyle line{kDim, 1.2, 0.75, 0.4, 4.0};
+void addControlNet(Strokes& out, const nurbs::Surface& surface, const TemplatePalette& palette) {
+  const StrokeStyle line{palette.dim, 1.2, 0.75, 0.4, 4.0};
   const int around = surface.u().points(), along = surface.v().points();
   for (int j = 0; j < along; ++j) {
     Stroke stroke{{}, line};
@@ -66,50 +70,53 @@ void addControlNet(Strokes& out, const nurbs::Surface& surface) {
     out.push_back(std::move(stroke));
   }
   for (int j = 0; j < along; ++j)
-    for (int i = 0; i + 1 < around; ++i) out.push_back({{surface.control(i, j).position}, {kText, 5.5, 1.0, 0.45}});
+    for (int i = 0; i + 1 < around; ++i) out.push_back({{surface.control(i, j).position}, {palette.text, 5.5, 1.0, 0.45}});
 }
 
-void addSplines(Strokes& out, const TemplateShape& shape) {
+void addSplines(Strokes& out, const TemplateShape& shape, const TemplatePalette& palette) {
   const nurbs::Surface& surface = shape.surface;
-  const StrokeStyle curve{kGeometry, 1.8, 1.0, 0.35};
+  const StrokeStyle curve{palette.geometry, 1.8, 1.0, 0.35};
   for (const double v : {0.0, 0.25, 0.5, 0.75, 1.0})
     if (!shape.ball || (v > 0.0 && v < 1.0)) addRing(out, surface, v, curve);
   for (int i = 0; i < 16; ++i) addProfile(out, surface, i / 16.0, curve);
-  addControlNet(out, surface);
+  addControlNet(out, surface, palette);
 }
 
-void addFacetEdges(Strokes& out, const nurbs::Surface& surface) {
-  const StrokeStyle edge{kGeometry, 1.3, 1.0, 0.22};
+void addFacetEdges(Strokes& out, const nurbs::Surface& surface, const TemplatePalette& palette) {
+  const StrokeStyle edge{palette.geometry, 1.3, 1.0, 0.22};
   for (const double v : steps(surface.v(), kFacetsAlong)) addRing(out, surface, v, edge, kFacetsAround);
   for (int i = 0; i < kFacetsAround; ++i) addProfile(out, surface, static_cast<double>(i) / kFacetsAround, edge, kFacetsAlong);
 }
 
 /// Thin lines that help the eye read the shaded surface, and its rim.
-void addSurfaceLines(Strokes& out, const TemplateShape& shape) {
-  for (int i = 0; i < 24; ++i) addProfile(out, shape.surface, i / 24.0, {kText, 1.0, 0.10, 0.0});
+void addSurfaceLines(Strokes& out, const TemplateShape& shape, const TemplatePalette& palette) {
+  for (int i = 0; i < 24; ++i) addProfile(out, shape.surface, i / 24.0, {palette.text, 1.0, 0.10, 0.0});
   if (shape.ball) {
-    for (const double v : {0.25, 0.5, 0.75}) addRing(out, shape.surface, v, {kText, 1.0, 0.10, 0.0});
+    for (const double v : {0.25, 0.5, 0.75}) addRing(out, shape.surface, v, {palette.text, 1.0, 0.10, 0.0});
     return;
   }
-  addRing(out, shape.surface, 0.5, {kText, 1.0, 0.10, 0.0});
-  addRing(out, shape.surface, 1.0, {kGeometry, 2.0, 1.0, 0.35});
+  addRing(out, shape.surface, 0.5, {palette.text, 1.0, 0.10, 0.0});
+  addRing(out, shape.surface, 1.0, {palette.geometry, 2.0, 1.0, 0.35});
 }
 
 /// The axis with its tip, the foot, and what stands on the base plane.
-void addScaffold(Strokes& out, const TemplateShape& shape) {
-  const StrokeStyle line{kDim, 1.3, 0.8, 0.35};
+void addScaffold(Strokes& out, const TemplateShape& shape, const TemplatePalette& palette) {
+  const StrokeStyle line{palette.dim, 1.3, 0.8, 0.35};
   const Vec3 top = shape.handle(TemplateHandle::top);
-  out.push_back({{shape.origin, top}, line});
-  const StrokeStyle foot{kGeometry, 1.6, 0.8, 0.35};
+  if (!shape.ball) {
+    out.push_back({{shape.origin, top}, line});
+    out.push_back({{top}, {palette.dim, 5.0, 0.9, 0.35}});
+  }
+  const StrokeStyle foot{palette.geometry, 1.6, 0.8, 0.35};
   if (shape.origin.y > 0.0) {
     const Vec3 below{shape.origin.x, 0.0, shape.origin.z};
     const Vec3 from = shape.ball ? shape.origin - Vec3{0.0, shape.ballRadius(), 0.0} : shape.origin;
-    out.push_back({{from, below}, {kDim, 1.2, 0.7, 0.35, 4.0}});
+    out.push_back({{from, below}, {palette.dim, 1.2, 0.7, 0.35, 4.0}});
     if (shape.ball) addEllipse(out, below, shape.scale * shape.foot_x, shape.scale * shape.foot_z, foot);
   }
   if (!shape.ball) addRing(out, shape.surface, 0.0, foot);
   if (shape.ball || shape.inner_foot <= 0.0) return;
-  Stroke inner{{}, {kGeometry, 1.2, 0.6, 0.3}};
+  Stroke inner{{}, {palette.geometry, 1.2, 0.6, 0.3}};
   const nurbs::Curve circle = nurbs::unitCircle();
   for (const double u : steps(circle.knots(), 96)) inner.points.push_back(shape.frame(shape.inner_foot * circle.at(u).point));
   inner.points.back() = inner.points.front();
@@ -117,11 +124,11 @@ void addScaffold(Strokes& out, const TemplateShape& shape) {
 }
 
 /// The ejection angle as a surveyor draws it: the principal direction and the side at the foot, and the arc between them.
-void addAngleMark(Strokes& out, const TemplateShape& shape, double azimuth) {
+void addAngleMark(Strokes& out, const TemplateShape& shape, double azimuth, const TemplatePalette& palette) {
   const double c = std::cos(azimuth), s = -std::sin(azimuth);
   const double reach = 0.62 * shape.height, radius = 0.42 * shape.height;
   const Vec3 foot{shape.foot_x * c, 0.0, shape.foot_z * s};
-  const StrokeStyle style{kText, 1.2, 0.75, 0.5};
+  const StrokeStyle style{palette.text, 1.2, 0.75, 0.5};
   StrokeStyle dashed = style;
   dashed.dash_px = 4.0;
   out.push_back({{shape.frame(foot), shape.frame(foot + Vec3{0.0, reach, 0.0})}, dashed});
@@ -133,13 +140,13 @@ void addAngleMark(Strokes& out, const TemplateShape& shape, double azimuth) {
   if (shape.lean_rad > 0.0) out.push_back(std::move(arc));
 }
 
-void addHandles(Strokes& out, const TemplateShape& shape, const TemplateScene& scene, double azimuth) {
+void addHandles(Strokes& out, const TemplateShape& shape, TemplateHandle active, double azimuth, const TemplatePalette& palette) {
   for (const TemplateHandle which : {TemplateHandle::foot, TemplateHandle::top, TemplateHandle::rim}) {
     if (!shape.hasHandle(which)) continue;
-    const bool active = which == scene.active;
+    const bool chosen = which == active;
     const Vec3 at = shape.handle(which, azimuth);
-    out.push_back({{at}, {byte(0x16, 0x18, 0x1c), active ? 15.0 : 12.0, 1.0, 0.8}});
-    out.push_back({{at}, {active ? kActive : kText, active ? 11.0 : 8.0, 1.0, 0.8}});
+    out.push_back({{at}, {palette.shade, chosen ? 15.0 : 12.0, 1.0, 1.0}});
+    out.push_back({{at}, {chosen ? palette.active : palette.text, chosen ? 11.0 : 8.0, 1.0, 1.0}});
   }
 }
 
@@ -175,17 +182,23 @@ TemplateMesh flatMesh(const nurbs::Surface& surface, int around, int along) {
 
 TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene, const TemplateCamera& camera) {
   TemplateDrawing out;
+  out.palette = paletteOn(scene.background);
+  // The region lies on the base plane under an upright cup or, projected, under a sphere.
+  if (shape.ball || (shape.origin.y == 0.0 && shape.frame.y.x == 0.0 && shape.frame.y.z == 0.0)) {
+    out.region_x = shape.scale * shape.foot_x;
+    out.region_z = shape.scale * shape.foot_z;
+  }
   out.flat = scene.view == TemplateView::polygons;
   out.mesh_visible = scene.view != TemplateView::splines;
   out.mesh = out.flat ? flatMesh(shape.surface, kFacetsAround, kFacetsAlong) : smoothMesh(shape.surface, 96, 32);
-  addScaffold(out.strokes, shape);
+  addScaffold(out.strokes, shape, out.palette);
   switch (scene.view) {
-    case TemplateView::splines: addSplines(out.strokes, shape); break;
-    case TemplateView::polygons: addFacetEdges(out.strokes, shape.surface); break;
-    case TemplateView::surface: addSurfaceLines(out.strokes, shape); break;
+    case TemplateView::splines: addSplines(out.strokes, shape, out.palette); break;
+    case TemplateView::polygons: addFacetEdges(out.strokes, shape.surface, out.palette); break;
+    case TemplateView::surface: addSurfaceLines(out.strokes, shape, out.palette); break;
   }
-  if (!shape.ball) addAngleMark(out.strokes, shape, camera.azimuth());
-  if (scene.handles) addHandles(out.strokes, shape, scene, camera.azimuth());
+  if (!shape.ball) addAngleMark(out.strokes, shape, camera.azimuth(), out.palette);
+  if (scene.handles) addHandles(out.strokes, shape, scene.active, camera.azimuth(), out.palette);
   return out;
 }
 

@@ -34,8 +34,19 @@ struct Stroke {
   StrokeStyle style;
 };
 
+/// Colours of a template, sRGB-coded.
+struct TemplatePalette {
+  Colour geometry, active, text, dim, shade;
+  Colour surface, facet;  ///< fills of the shaded surface and of the polygon view
+};
+
+/// Drawn where the scene asks for no background of its own.
+inline constexpr Colour kTemplateBackground{0x1e / 255.0, 0x21 / 255.0, 0x27 / 255.0};
+
 /// Everything that one view of a template shows, in the order of drawing.
 struct TemplateDrawing {
+  TemplatePalette palette;
+  double region_x = 0.0, region_z = 0.0;  ///< half-axes of the region on the base plane; 0 = not there
   TemplateMesh mesh;
   bool mesh_visible = true;  ///< otherwise it only hides what lies behind it
   bool flat = false;         ///< facets filled quietly, as a ground for their edges
@@ -48,7 +59,7 @@ TemplateMesh smoothMesh(const nurbs::Surface& surface, int around, int along);
 TemplateMesh flatMesh(const nurbs::Surface& surface, int around, int along);
 
 /// Facets of the polygon view.
-inline constexpr int kFacetsAround = 32, kFacetsAlong = 10;
+inline constexpr int kFacetsAround = 24, kFacetsAlong = 8;
 
 TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene, const TemplateCamera& camera);
 

@@ -22,13 +22,13 @@ struct Saturating {
   }
 };
 
-constexpr Saturating kHeight{0.2, 1.2, 25.0};
-constexpr Saturating kFoot{0.15, 0.5, 4.0};
+constexpr Saturating kHeight{0.25, 1.0, 25.0};
+constexpr Saturating kFoot{0.2, 0.45, 4.0};
 constexpr Saturating kScale{0.6, 0.4, 0.5};
-constexpr double kFlare = 0.9;         // largest outward distance from foot to rim
+constexpr double kFlare = 0.75;         // largest outward distance from foot to rim
 constexpr double kCorner = 0.85;       // height of the profile's corner over the shape's, upright
-constexpr double kBallPerHeight = 0.75;
-constexpr double kAirHeight = 1.25;    // height of an air burst's centre above the base plane
+constexpr double kBallPerHeight = 0.8;
+constexpr double kAirHeight = 1.05;    // height of an air burst's centre above the base plane
 constexpr double kRightAngle = kPi / 2.0;
 
 double limited(std::string_view key, double value) {
@@ -200,7 +200,7 @@ TemplateShape templateShape(const Preset& preset, int index) {
 Vec3 templateCentre(const TemplateShape& shape) {
   if (shape.ball) return shape.origin;
   const Vec3& up = shape.frame.y;
-  return shape.origin + (0.6 / length(up)) * up;
+  return shape.origin + (0.5 * kLargestCupHeight / length(up)) * up;
 }
 
 }  // namespace npsee::render

@@ -12,19 +12,19 @@
 /// It lives in a space of its own without unit: x east, y up, z south as in the world, base plane y = 0. The encoding, all of it
 /// monotone and bounded so that every valid preset fits the view, with the saturating share q(x, c) = x / (x + c):
 ///
-///   height  h = 0.2 + 1.2 q(speed_mean, 25 m/s)     Y-mag
-///   foot    r = 0.15 + 0.5 q(region extent, 4 m)    per axis: region radius, or half the length along x and the width along z
+///   height  h = 0.25 + q(speed_mean, 25 m/s)     Y-mag
+///   foot    r = 0.2 + 0.45 q(region extent, 4 m)    per axis: region radius, or half the length along x and the width along z
 ///   scale   s = 0.6 + 0.4 q(size_mean, 0.5 m)       XZ-mag; multiplies the whole shape
 ///   lean    = min(ejection_angle, 90 deg)           angle between a side and the principal direction
 ///
 /// Ground burst: a rational surface whose quadratic profile over knots 0 0 0 1/2 1 1 1 leaves the foot in the direction of the lean,
 /// exactly straight for v <= 1/2, and then turns up to the rim at height h. Lean 0 is an upright cylinder, lean 90 deg a wide
-/// dish. The corner of its control polygon lies where the side meets the ellipse with half-axes 0.9 (out) and 0.85 h (up), so
-/// that the rim's distance from the foot is w = sin / sqrt((cos / 0.85 h)^2 + (sin / 0.9)^2), growing with the lean to 0.9.
+/// dish. The corner of its control polygon lies where the side meets the ellipse with half-axes 0.75 (out) and 0.85 h (up), so
+/// that the rim's distance from the foot is w = sin / sqrt((cos / 0.85 h)^2 + (sin / 0.75)^2), growing with the lean to 0.75.
 /// Regions that are not round scale the circle to an ellipse of their extents; its sections along x and z keep the exact lean.
 /// A principal direction that is not upright turns the whole shape.
 ///
-/// Air burst (a layer that throws equally in all directions): an exact sphere of radius 0.75 h s, above the base plane.
+/// Air burst (a layer that throws equally in all directions): an exact sphere of radius 0.8 h s, above the base plane.
 namespace npsee::render {
 
 double templateHeight(double speed_mps);
@@ -78,9 +78,11 @@ std::string_view parameterOf(TemplateHandle which, const TemplateShape& shape);
 /// The template of one layer. `layer` must exist.
 TemplateShape templateShape(const Preset& preset, int layer);
 
-/// Bounds that hold for every valid preset: all points of a shape lie within kTemplateReach of templateCentre.
-inline constexpr double kTemplateReach = 1.75;
-inline constexpr double kBallReach = 1.06;
+/// Bounds that hold for every valid preset: a cup lies in the cylinder of this radius and height upon its foot, a ball in the sphere
+/// of this radius.
+inline constexpr double kLargestCupRadius = 1.4, kLargestCupHeight = 1.25, kLargestBall = 1.0;
+
+/// The middle of the largest shape of this kind: what a camera looks at.
 Vec3 templateCentre(const TemplateShape& shape);
 
 }  // namespace npsee::render
