@@ -1,9 +1,9 @@
 // Shared by all shaders: world is x east, y up, z south, metres; colours are linear unless said otherwise.
 
 const vec3 kKeyDirection = vec3(-0.5263, 0.7105, 0.4671);  // towards the key light, unit length: afternoon sun in the south-west
-const vec3 kKeyLight = vec3(1.12, 1.04, 0.92);
-const vec3 kSkyAmbient = vec3(0.34, 0.39, 0.46);
-const vec3 kGroundAmbient = vec3(0.17, 0.155, 0.13);
+const vec3 kKeyLight = vec3(1.42, 1.32, 1.16);
+const vec3 kSkyAmbient = vec3(0.30, 0.35, 0.42);
+const vec3 kGroundAmbient = vec3(0.16, 0.145, 0.12);
 const vec3 kHorizon = vec3(0.400, 0.465, 0.520);
 const vec3 kZenith = vec3(0.085, 0.160, 0.290);
 

@@ -34,12 +34,13 @@ void main() {
   vec2 slope = ray.xz / ray.y;
   vec2 footprint = abs(depth) * (abs(u_ray_x.xz - slope * u_ray_x.y) + abs(u_ray_y.xz - slope * u_ray_y.y));
 
-  vec3 albedo = linearFromSrgb(u_ground);
+  // Soil shades itself: a fifth darker than a smooth sheet of its colour, and quieter than what flies over it.
+  vec3 albedo = linearFromSrgb(u_ground) * 0.80;
   vec3 colour = litDiffuse(albedo, vec3(0.0, 1.0, 0.0));
   if (u_grid > 0.5) {
-    float lines = 0.20 * gridCover(place, footprint, 1.0, 0.03);
-    lines = max(lines, 0.34 * gridCover(place, footprint, 10.0, 0.08));
-    lines = max(lines, 0.42 * gridCover(place, footprint, 100.0, 0.30));
+    float lines = 0.30 * gridCover(place, footprint, 1.0, 0.03);
+    lines = max(lines, 0.45 * gridCover(place, footprint, 10.0, 0.08));
+    lines = max(lines, 0.55 * gridCover(place, footprint, 100.0, 0.30));
     colour = mix(colour, colour * 0.25, lines);
   }
   float clear = exp(-distance_m / u_haze);

@@ -29,8 +29,8 @@ out vec4 v_smooth;
 void main() {
   vec4 q = vec4(a_qx, a_qy, a_qz, a_qw);
   vec3 centre = vec3(a_x, a_y, a_z);
-  // Nothing vanishes with distance: a form is never smaller than about a pixel and a half.
-  float least = 1.5 * u_metre_per_pixel * distance(centre, u_eye);
+  // Nothing vanishes with distance: a form is never smaller than about two pixels.
+  float least = 2.5 * u_metre_per_pixel * distance(centre, u_eye);
   float size = a_size > 0.0 ? max(a_size, least) : 0.0;
   if (a_a <= u_opacity.x || a_a > u_opacity.y) size = 0.0;
   centre.y += liftOf(a_y, size, upInBody(q));

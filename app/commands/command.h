@@ -42,6 +42,8 @@ struct PresetChoice {
   std::string seed;  ///< empty = the preset's own
 };
 void addPresetOptions(CLI::App& command, PresetChoice& choice);
+/// Only `--set` and `--seed`, for commands that take several files.
+void addChangeOptions(CLI::App& command, std::vector<std::string>& settings, std::string& seed);
 /// Loads the file and applies the settings in order, then the seed. Errors: input, usage.
 Expected<Preset> loadChosen(const PresetChoice& choice);
 

@@ -23,8 +23,12 @@ int writeResult(std::string_view text) {
 
 void addPresetOptions(CLI::App& command, PresetChoice& choice) {
   command.add_option("FILE", choice.file, "Preset file (*.npsee.json)")->required();
-  command.add_option("--set", choice.settings, "Change a parameter: KEY=VALUE or LAYER.KEY=VALUE; repeatable")->allow_extra_args(false)->type_name("KEY=VALUE");
-  command.add_option("--seed", choice.seed, "Seed of the random draws, instead of the preset's own")->type_name("N");
+  addChangeOptions(command, choice.settings, choice.seed);
+}
+
+void addChangeOptions(CLI::App& command, std::vector<std::string>& settings, std::string& seed) {
+  command.add_option("--set", settings, "Change a parameter: KEY=VALUE or LAYER.KEY=VALUE; repeatable")->allow_extra_args(false)->type_name("KEY=VALUE");
+  command.add_option("--seed", seed, "Seed of the random draws, instead of the preset's own")->type_name("N");
 }
 
 Expected<Preset> loadChosen(const PresetChoice& choice) {

@@ -6,58 +6,44 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace npsee::render {
 namespace {
 
 /// Share of the picture's half width and height that the effect may fill.
-constexpr double kFill = 0.90;
+constexpr double kFill = 0.96;
 /// Camera distances that `framing` chooses, m; the upper end suits the largest preset there can be.
 constexpr double kNearest = 2.0, kFarthest = 1e5;
 constexpr double kMinFov = 1.0 / 180.0 * kPi, kMaxFov = 150.0 / 180.0 * kPi;
 
 Vec3 unit(const Vec3& v) { return (1.0 / length(v)) * v; }
 
-std::vector<Vec3> corners(const Extent& extent) {
-  std::vector<Vec3> out;
-  for (const double x : {extent.min.x, extent.max.x})
-    for (const double y : {extent.min.y, extent.max.y})
-      for (const double z : {extent.min.z, extent.max.z}) out.push_back({x, y, z});
-  return out;
-}
+/// Half width of the ellipsoid in the box of half sides `half`, along `axis`.
+double reach(const Vec3& half, const Vec3& axis) { return length({half.x * axis.x, half.y * axis.y, half.z * axis.z}); }
 
-/// Camera looking along -`back`, as near as it can be with all corners in view and centred.
+/// Camera looking along -`back`, as near as it can be with the ellipsoid in the extent's box in view and centred. The box's
+/// corners are empty in every effect that spreads around its burst; keeping them in view would halve its size.
 Camera frameFrom(const Extent& extent, Vec3 back, double aspect) {
   Camera camera;
   back = unit(back);
   const Vec3 upward = std::abs(back.y) > 0.999 ? Vec3{0.0, 0.0, -1.0} : Vec3{0.0, 1.0, 0.0};
   const Vec3 right = unit(cross(upward, back)), up = cross(back, right);
   const double tan_y = kFill * std::tan(0.5 * camera.fov_y_rad), tan_x = tan_y * std::clamp(aspect, 0.01, 100.0);
-  const Vec3 centre = extent.centre();
-  // The eye at (a, b, c) in the camera's axes sees a corner (x, y, z) when |x - a| <= (c - z) tan_x, and likewise y: both
-  // are pairs of half-planes, so the tightest sum of opposite bounds gives c, and their difference a and b.
-  double x_high = 0.0, x_low = 0.0, y_high = 0.0, y_low = 0.0;
-  bool first = true;
-  for (const Vec3& corner : corners(extent)) {
-    const Vec3 from = corner - centre;
-    const double x = dot(from, right), y = dot(from, up), z = dot(from, back);
-    x_high = first ? x + z * tan_x : std::max(x_high, x + z * tan_x);
-    x_low = first ? x - z * tan_x : std::min(x_low, x - z * tan_x);
-    y_high = first ? y + z * tan_y : std::max(y_high, y + z * tan_y);
-    y_low = first ? y - z * tan_y : std::min(y_low, y - z * tan_y);
-    first = false;
-  }
-  const double wanted = std::max((x_high - x_low) / (2.0 * tan_x), (y_high - y_low) / (2.0 * tan_y));
+  const Vec3 half = 0.5 * (extent.max - extent.min);
+  // A frustum side contains the eye and has the normal (axis + tangent * back); the ellipsoid touches it from inside when
+  // tangent * distance equals its half width along that normal. By symmetry the centre stays in the middle.
+  const double across = std::max(reach(half, right + tan_x * back), reach(half, tan_x * back - right)) / tan_x;
+  const double upright = std::max(reach(half, up + tan_y * back), reach(half, tan_y * back - up)) / tan_y;
+  const double wanted = std::max(across, upright);
   const double distance = std::isfinite(wanted) ? std::clamp(wanted, kNearest, kFarthest) : kNearest;
-  camera.target = centre + (0.5 * (x_high + x_low)) * right + (0.5 * (y_high + y_low)) * up;
+  camera.target = extent.centre();
   camera.eye = camera.target + distance * back;
   return camera;
 }
 
 /// A direction to look from for a named view; zero for an unknown name.
 Vec3 namedDirection(std::string_view name) {
-  if (name == "auto") return {0.375, 0.21, 0.905};
+  if (name == "auto") return {0.375, 0.15, 0.905};
   if (name == "front") return {0.0, 0.08, 1.0};
   if (name == "back") return {0.0, 0.08, -1.0};
   if (name == "side") return {1.0, 0.08, 0.0};

@@ -53,13 +53,14 @@ Expected<void> sizedTarget(Target& target, int width, int height) {
   return target.resize(width, height);
 }
 
-Image readBack(const Target& target) {
-  Image image{target.width(), target.height(), {}};
+void readBack(const Target& target, Image& image) {
+  image.width = target.width();
+  image.height = target.height();
   image.rgba.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
   target.bindFinished();
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  return image;
 }
 
 }  // namespace
@@ -181,19 +182,28 @@ Expected<unsigned> Renderer::drawToTexture(const TemplateScene& scene, int width
   return target.finished();
 }
 
-Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height) {
+Expected<void> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height, Image& image) {
   Target& target = impl_->targets[0];
-  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
+  if (auto made = sizedTarget(target, width, height); !made) return made;
   const View view = makeView(camera, width, height, {0, 0, width, height});
-  if (auto drawn = impl_->draw(scene, view, target, true); !drawn) return tl::unexpected<Error>(drawn.error());
-  return readBack(target);
+  if (auto drawn = impl_->draw(scene, view, target, true); !drawn) return drawn;
+  readBack(target, image);
+  return {};
+}
+
+Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height) {
+  Image image;
+  if (auto drawn = drawToImage(scene, camera, width, height, image); !drawn) return tl::unexpected<Error>(drawn.error());
+  return image;
 }
 
 Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int height) {
   Target& target = impl_->targets[1];
   if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
   if (auto drawn = impl_->draw(scene, target, true); !drawn) return tl::unexpected<Error>(drawn.error());
-  return readBack(target);
+  Image image;
+  readBack(target, image);
+  return image;
 }
 
 }  // namespace npsee::render

@@ -60,6 +60,8 @@ class Renderer {
 
   /// Draws and reads back.
   Expected<Image> drawToImage(const Scene& scene, const Camera& camera, int width, int height);
+  /// The same into `image`, whose memory is used again.
+  Expected<void> drawToImage(const Scene& scene, const Camera& camera, int width, int height, Image& image);
   Expected<Image> drawToImage(const TemplateScene& scene, int width, int height);
 
  private:

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/commands/render_plan.h"
+
+#include <filesystem>
+
+namespace npsee::commands {
+
+/// Names of the files a `npsee render` writes.
+class OutputNames {
+ public:
+  /// `output` is a name, a name with %d or %04d for the frame number, or a folder, which then gets the presets' names.
+  /// Errors: usage for a name that cannot hold the results, output for a folder that is missing or closed to us.
+  static Expected<OutputNames> make(const std::string& output, const std::vector<std::string>& presets, bool sequence);
+
+  /// Place of frame `number` of preset `index`; a single picture ignores the number.
+  std::filesystem::path path(std::size_t index, std::int64_t number) const;
+
+ private:
+  struct Name {
+    std::filesystem::path folder;
+    std::string before, after;  ///< around the number
+  };
+  std::vector<Name> names_;
+  int digits_ = 4;
+  bool numbered_ = false;
+};
+
+}  // namespace npsee::commands

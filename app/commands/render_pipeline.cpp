@@ -1,0 +1,130 @@
+#include "app/commands/render_pipeline.h"
+
+#include "app/commands/bounded_queue.h"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace npsee::commands {
+namespace {
+
+/// Frames simulated ahead of the drawing.
+constexpr std::size_t kFramesAhead = 3;
+
+struct Finished {
+  std::size_t index;
+  render::Image image;
+};
+
+/// Encodes and writes pictures on several threads. The destructor waits for all of them.
+class Writers {
+ public:
+  Writers(int threads, const std::vector<Shot>& shots, const std::function<std::filesystem::path(const Shot&)>& path)
+      : shots_(shots), path_(path), queue_(static_cast<std::size_t>(threads)), spare_(2 * static_cast<std::size_t>(threads) + 2), written_(shots.size(), 0) {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  }
+  ~Writers() { finish(); }
+  Writers(const Writers&) = delete;
+  Writers& operator=(const Writers&) = delete;
+
+  /// Hands a picture over; false once a picture could not be written. `image` gets the memory of one that is done.
+  bool write(std::size_t index, render::Image& image) {
+    if (!queue_.push({index, std::move(image)})) return false;
+    image = spare_.tryPop().value_or(render::Image{});
+    return true;
+  }
+
+  void finish() {
+    queue_.close();
+    threads_.clear();
+  }
+  std::size_t done() const { return done_; }
+
+  /// After finish(): the error of the earliest picture that has one.
+  const std::optional<Error>& error() const { return error_; }
+  bool written(std::size_t index) const { return written_[index] != 0; }
+
+ private:
+  void work() {
+    while (auto picture = queue_.pop()) {
+      if (failed_) continue;
+      auto result = render::writePng(picture->image, path_(shots_[picture->index]));
+      if (result) {
+        written_[picture->index] = 1;
+        ++done_;
+        spare_.push(std::move(picture->image));
+        continue;
+      }
+      const std::lock_guard lock(mutex_);
+      failed_ = true;
+      if (!error_ || picture->index < error_index_) {
+        error_ = std::move(result.error());
+        error_index_ = picture->index;
+      }
+      queue_.close();
+    }
+  }
+
+  const std::vector<Shot>& shots_;
+  const std::function<std::filesystem::path(const Shot&)>& path_;
+  BoundedQueue<Finished> queue_;
+  BoundedQueue<render::Image> spare_;  // never full: there are fewer pictures about than it holds
+  std::vector<char> written_;          // one byte each, so that threads do not share
+  std::atomic<bool> failed_ = false;
+  std::atomic<std::size_t> done_ = 0;
+  std::mutex mutex_;
+  std::optional<Error> error_;
+  std::size_t error_index_ = 0;
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace
+
+Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
+                            const std::function<Expected<void>(const Shot&, render::Image&)>& take) {
+  BoundedQueue<Frame> ahead(kFramesAhead), spare(kFramesAhead + 2);
+  std::jthread simulation([&] {
+    for (const Shot& shot : shots) {
+      Frame frame = spare.tryPop().value_or(Frame{});
+      job.explosion->at(shot.time_s, frame, render::kSceneFields, job.threads);
+      if (!ahead.push(std::move(frame))) return;
+    }
+  });
+  Expected<void> result;
+  render::Image image;
+  for (const Shot& shot : shots) {
+    std::optional<Frame> frame = ahead.pop();
+    render::Scene scene = job.scene;
+    scene.frame = &*frame;
+    result = renderer.drawToImage(scene, job.camera, job.width, job.height, image);
+    if (result) result = take(shot, image);
+    if (!result) break;
+    spare.push(std::move(*frame));
+  }
+  // Lets a simulation that is still ahead go home.
+  ahead.close();
+  return result;
+}
+
+Expected<void> writePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
+                             const std::function<std::filesystem::path(const Shot&)>& path, const std::function<void(std::size_t done)>& progress,
+                             std::vector<std::filesystem::path>& written) {
+  Writers writers(job.threads, shots, path);
+  std::size_t next = 0;
+  bool stopped = false;
+  auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, render::Image& image) -> Expected<void> {
+    stopped = !writers.write(next++, image);
+    // The writers know the reason; any error ends the drawing.
+    if (stopped) return fail(ErrorKind::output, "a picture could not be written.");
+    progress(writers.done());
+    return {};
+  });
+  writers.finish();
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    if (writers.written(i)) written.push_back(path(shots[i]));
+  if (writers.error()) return tl::unexpected<Error>(*writers.error());
+  return drawn;
+}
+
+}  // namespace npsee::commands

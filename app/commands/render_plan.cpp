@@ -1,0 +1,212 @@
+#include "app/commands/render_plan.h"
+
+#include "sim/core/text.h"
+
+#include <npsee/parameters.h>
+#include <npsee/units.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <thread>
+
+namespace npsee::commands {
+namespace {
+
+/// Latest time that can be asked for, s: a day, far beyond any effect's end.
+constexpr double kMaxTime_s = 86400.0;
+constexpr double kMaxFps = 1000.0;
+
+tl::unexpected<Error> refused(std::string_view option, std::string_view text, const std::string& why, std::string remedy) {
+  return fail(ErrorKind::usage, std::string(option) + ' ' + std::string(text) + ": " + why, std::move(remedy));
+}
+
+std::optional<std::int64_t> wholeNumber(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "AxB" with whole numbers.
+std::optional<std::pair<std::int64_t, std::int64_t>> twoNumbers(std::string_view text) {
+  const auto parts = splitAt(text, 'x');
+  if (parts.size() != 2) return std::nullopt;
+  const auto a = wholeNumber(parts[0]), b = wholeNumber(parts[1]);
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
+Expected<double> readTime(std::string_view option, std::string_view whole, std::string_view text) {
+  const auto time = parseQuantity(text, Unit::second);
+  const std::string remedy = option == "--time" ? "For example --time 0.5 or --time 500ms." : "Write --frames FROM:TO in seconds, for example --frames 0:2.";
+  if (!time) return refused(option, whole, time.error().faults.front().what, remedy);
+  if (!(*time >= 0.0 && *time <= kMaxTime_s)) return refused(option, whole, "times go from 0 to 86400 s.", remedy);
+  return *time;
+}
+
+Expected<void> readSize(const RenderOptions& options, RenderPlan& plan) {
+  if (options.size.empty()) {
+    if (plan.kind == RenderKind::sheet) plan.width = 320, plan.height = 180;
+    if (plan.kind == RenderKind::template_view) plan.width = plan.height = 640;
+  } else {
+    const auto size = twoNumbers(options.size);
+    const std::string remedy = "Write WIDTHxHEIGHT in pixels, for example --size 1280x720; at most " + std::to_string(render::kMaxPictureSize) + " a side and " + std::to_string(kMaxPicturePixels) + " in all.";
+    if (!size) return refused("--size", options.size, "this is no size.", remedy);
+    const auto fits = [](std::int64_t side) { return side >= 1 && side <= render::kMaxPictureSize; };
+    if (!fits(size->first) || !fits(size->second)) return refused("--size", options.size, "width and height go from 1 to " + std::to_string(render::kMaxPictureSize) + " pixels.", remedy);
+    if (size->first * size->second > kMaxPicturePixels) return refused("--size", options.size, "that is more than " + std::to_string(kMaxPicturePixels) + " pixels in all.", remedy);
+    plan.width = static_cast<int>(size->first);
+    plan.height = static_cast<int>(size->second);
+  }
+  const std::int64_t pixels = static_cast<std::int64_t>(plan.width) * plan.height * plan.columns * plan.rows;
+  if (pixels > kMaxPicturePixels)
+    return refused("--sheet", options.sheet, "the sheet would have " + std::to_string(pixels) + " pixels, above the limit of " + std::to_string(kMaxPicturePixels) + ".", "Choose fewer pictures or a smaller --size, which is that of each picture in the sheet.");
+  return {};
+}
+
+Expected<void> readSheet(const RenderOptions& options, RenderPlan& plan) {
+  const auto size = twoNumbers(options.sheet);
+  const auto fits = [](std::int64_t side) { return side >= 1 && side <= kMaxSheetSide; };
+  if (!size || !fits(size->first) || !fits(size->second))
+    return refused("--sheet", options.sheet, "this is no number of columns and rows from 1 to " + std::to_string(kMaxSheetSide) + ".", "Write COLUMNSxROWS, for example --sheet 4x4.");
+  plan.columns = static_cast<int>(size->first);
+  plan.rows = static_cast<int>(size->second);
+  return {};
+}
+
+/// "30", "29.97" or "30000/1001" as an exact fraction.
+Expected<FrameRate> readRate(std::string_view text) {
+  const std::string remedy = "Write frames per second above 0 and at most 1000, for example --fps 30, --fps 29.97 or --fps 30000/1001.";
+  const auto no = [&] { return refused("--fps", text, "this is no frame rate.", remedy); };
+  FrameRate rate;
+  const std::size_t slash = text.find('/'), point = text.find('.');
+  if (slash != std::string_view::npos) {
+    const auto numerator = wholeNumber(text.substr(0, slash)), denominator = wholeNumber(text.substr(slash + 1));
+    if (!numerator || !denominator) return no();
+    rate = {*numerator, *denominator};
+  } else {
+    std::string digits(text);
+    std::size_t places = 0;
+    if (point != std::string_view::npos) {
+      digits.erase(point, 1);
+      places = text.size() - point - 1;
+    }
+    const auto whole = wholeNumber(digits);
+    if (!whole || places > 6) return no();
+    rate = {*whole, 1};
+    for (std::size_t i = 0; i < places; ++i) rate.denominator *= 10;
+  }
+  const bool sane = rate.numerator >= 1 && rate.denominator >= 1 && rate.numerator <= 1'000'000'000 && rate.denominator <= 1'000'000'000;
+  if (!sane || static_cast<double>(rate.numerator) > kMaxFps * static_cast<double>(rate.denominator)) return no();
+  return rate;
+}
+
+Expected<void> readRange(const RenderOptions& options, RenderPlan& plan) {
+  const auto parts = splitAt(options.frames, ':');
+  const std::string remedy = "Write --frames FROM:TO in seconds, for example --frames 0:2.";
+  if (parts.size() != 2) return refused("--frames", options.frames, "this is no range of times.", remedy);
+  const auto from = readTime("--frames", options.frames, trimmed(parts[0])), to = readTime("--frames", options.frames, trimmed(parts[1]));
+  if (!from) return tl::unexpected<Error>(from.error());
+  if (!to) return tl::unexpected<Error>(to.error());
+  if (!(*from < *to)) return refused("--frames", options.frames, "the range ends before it begins.", remedy);
+  plan.range_s = {*from, *to};
+  return {};
+}
+
+/// Frames whose time k / rate lies in [from, to).
+Expected<void> countFrames(const RenderOptions& options, RenderPlan& plan) {
+  const double per_second = static_cast<double>(plan.rate.numerator) / static_cast<double>(plan.rate.denominator);
+  // The slack takes a product like 0.3 * 10 for the whole number that was meant.
+  const auto firstFrom = [&](double time) { return static_cast<std::int64_t>(std::ceil(time * per_second - 1e-6)); };
+  plan.first_frame = firstFrom(plan.range_s->first);
+  plan.frame_count = firstFrom(plan.range_s->second) - plan.first_frame;
+  if (plan.frame_count < 1) return refused("--frames", options.frames, "no frame of " + shortest(per_second) + " per second lies in this range.", "Choose a longer range or a higher --fps.");
+  if (plan.frame_count > kMaxFrames)
+    return refused("--frames", options.frames, "that is " + std::to_string(plan.frame_count) + " frames, above the limit of " + std::to_string(kMaxFrames) + ".", "Choose a shorter range or a lower --fps.");
+  return {};
+}
+
+Expected<render::Background> readBackground(std::string_view text) {
+  using Kind = render::Background::Kind;
+  if (text.empty() || text == "sky") return render::Background{};
+  if (text == "transparent") return render::Background{Kind::transparent, {}};
+  constexpr std::pair<std::string_view, double> kGreys[] = {{"black", 0.0}, {"white", 1.0}};
+  for (const auto& [name, grey] : kGreys)
+    if (text == name) return render::Background{Kind::colour, {grey, grey, grey}};
+  const auto colour = parseValue(*findParameter(Scope::burst, "ground.colour"), text);
+  if (!colour) return refused("--background", text, "this is no background.", "Write sky, transparent, black, white, or a colour such as \"#20242c\" or 0.1,0.1,0.2.");
+  return render::Background{Kind::colour, std::get<Colour>(*colour)};
+}
+
+Expected<int> readThreads(std::string_view text) {
+  if (text.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+  const auto threads = wholeNumber(text);
+  if (!threads || *threads < 1 || *threads > kMaxThreads)
+    return refused("--threads", text, "threads are a whole number from 1 to " + std::to_string(kMaxThreads) + ".", "Leave it out to use all processors.");
+  return static_cast<int>(*threads);
+}
+
+Expected<render::TemplateView> readView(std::string_view text) {
+  if (text == "splines") return render::TemplateView::splines;
+  if (text == "polygons") return render::TemplateView::polygons;
+  if (text.empty() || text == "surface") return render::TemplateView::surface;
+  return refused("--view", text, "there is no such view of the template.", "Write splines, polygons or surface.");
+}
+
+/// What kind of result is asked for; options that contradict each other are refused, none is ignored.
+Expected<RenderKind> readKind(const RenderOptions& options) {
+  const auto clash = [](const std::string& what, const std::string& remedy) { return fail(ErrorKind::usage, what, remedy); };
+  const bool moving = !options.frames.empty() || !options.sheet.empty() || !options.fps.empty();
+  if (!options.view.empty() && !options.as_template) return clash("--view is one of the template's views.", "Add --template.");
+  if (options.as_template && (moving || !options.time.empty() || !options.camera.empty()))
+    return clash("--template shows the settings, which have no time and no camera.", "Leave out --time, --frames, --fps, --sheet and --camera.");
+  if (options.as_template) return RenderKind::template_view;
+  if (!options.time.empty() && moving) return clash("--time asks for one moment, --frames and --sheet for several.", "Leave one of them out.");
+  if (!options.sheet.empty() && !options.fps.empty()) return clash("--fps is for sequences; a sheet divides its time evenly.", "Leave out --fps, or --sheet.");
+  if (!options.sheet.empty()) return RenderKind::sheet;
+  if (!options.frames.empty()) return RenderKind::sequence;
+  if (!options.fps.empty()) return clash("--fps is the rate of a sequence, and no sequence is asked for.", "Add --frames FROM:TO.");
+  return RenderKind::picture;
+}
+
+}  // namespace
+
+Expected<RenderPlan> makePlan(const RenderOptions& options) {
+  RenderPlan plan;
+  const auto take = [](auto read, auto& slot) -> Expected<void> {
+    if (!read) return tl::unexpected<Error>(read.error());
+    slot = std::move(*read);
+    return {};
+  };
+  Expected<void> done = take(readKind(options), plan.kind);
+  if (done && !options.sheet.empty()) done = readSheet(options, plan);
+  if (done) done = readSize(options, plan);
+  if (done) done = take(readBackground(options.background), plan.background);
+  if (done) done = take(readThreads(options.threads), plan.threads);
+  if (done) done = take(readView(options.view), plan.view);
+  if (done && !options.time.empty()) done = take(readTime("--time", options.time, options.time), plan.time_s);
+  if (done && !options.fps.empty()) done = take(readRate(options.fps), plan.rate);
+  if (done && !options.frames.empty()) done = readRange(options, plan);
+  if (done && plan.kind == RenderKind::sequence) done = countFrames(options, plan);
+  if (!done) return tl::unexpected<Error>(done.error());
+  if (!options.camera.empty()) plan.camera = options.camera;
+  return plan;
+}
+
+std::vector<Shot> shotsOf(const RenderPlan& plan, double duration_s) {
+  std::vector<Shot> shots;
+  if (plan.kind == RenderKind::sequence) {
+    for (std::int64_t k = plan.first_frame; k < plan.first_frame + plan.frame_count; ++k) shots.push_back({plan.rate.timeOf(k), k});
+  } else if (plan.kind == RenderKind::sheet) {
+    const auto [from, to] = plan.range_s.value_or(std::pair(0.0, duration_s));
+    const std::int64_t count = static_cast<std::int64_t>(plan.columns) * plan.rows;
+    for (std::int64_t i = 0; i < count; ++i) shots.push_back({from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(count - 1, 1)), i});
+  } else {
+    // A quarter into an effect its pieces are usually spread and still in flight.
+    shots.push_back({plan.time_s.value_or(0.25 * duration_s), 0});
+  }
+  return shots;
+}
+
+}  // namespace npsee::commands
