@@ -76,8 +76,10 @@ void addControlNet(Strokes& out, const nurbs::Surface& surface, const TemplatePa
 void addSplines(Strokes& out, const TemplateShape& shape, const TemplatePalette& palette) {
   const nurbs::Surface& surface = shape.surface;
   const StrokeStyle curve{palette.geometry, 1.8, 1.0, 0.35};
-  for (const double v : {0.0, 0.25, 0.5, 0.75, 1.0})
-    if (!shape.ball || (v > 0.0 && v < 1.0)) addRing(out, surface, v, curve);
+  if (shape.ball)
+    for (const double v : {0.25, 0.5, 0.75}) addRing(out, surface, v, curve);
+  else
+    for (const double v : {0.0, 0.3, 0.6, 0.8, 1.0}) addRing(out, surface, v, curve);
   for (int i = 0; i < 16; ++i) addProfile(out, surface, i / 16.0, curve);
   addControlNet(out, surface, palette);
 }
@@ -95,7 +97,7 @@ void addSurfaceLines(Strokes& out, const TemplateShape& shape, const TemplatePal
     for (const double v : {0.25, 0.5, 0.75}) addRing(out, shape.surface, v, {palette.text, 1.0, 0.10, 0.0});
     return;
   }
-  addRing(out, shape.surface, 0.5, {palette.text, 1.0, 0.10, 0.0});
+  addRing(out, shape.surface, 0.6, {palette.text, 1.0, 0.10, 0.0});
   addRing(out, shape.surface, 1.0, {palette.geometry, 2.0, 1.0, 0.35});
 }
 
@@ -190,7 +192,7 @@ TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene
   }
   out.flat = scene.view == TemplateView::polygons;
   out.mesh_visible = scene.view != TemplateView::splines;
-  out.mesh = out.flat ? flatMesh(shape.surface, kFacetsAround, kFacetsAlong) : smoothMesh(shape.surface, 96, 32);
+  out.mesh = out.flat ? flatMesh(shape.surface, kFacetsAround, kFacetsAlong) : smoothMesh(shape.surface, 96, 30);
   addScaffold(out.strokes, shape, out.palette);
   switch (scene.view) {
     case TemplateView::splines: addSplines(out.strokes, shape, out.palette); break;

@@ -59,7 +59,7 @@ TemplateMesh smoothMesh(const nurbs::Surface& surface, int around, int along);
 TemplateMesh flatMesh(const nurbs::Surface& surface, int around, int along);
 
 /// Facets of the polygon view.
-inline constexpr int kFacetsAround = 24, kFacetsAlong = 8;
+inline constexpr int kFacetsAround = 24, kFacetsAlong = 10;
 
 TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene, const TemplateCamera& camera);
 

@@ -22,11 +22,11 @@ struct Saturating {
   }
 };
 
-constexpr Saturating kHeight{0.25, 1.0, 25.0};
-constexpr Saturating kFoot{0.2, 0.45, 4.0};
+constexpr Saturating kHeight{0.25, 0.95, 25.0};
+constexpr Saturating kFoot{0.2, 0.35, 4.0};
 constexpr Saturating kScale{0.6, 0.4, 0.5};
-constexpr double kFlare = 0.75;         // largest outward distance from foot to rim
-constexpr double kCorner = 0.85;       // height of the profile's corner over the shape's, upright
+constexpr double kFlare = 1.0;          // largest outward distance from foot to rim
+constexpr double kCorner = 0.92;       // height of the profile's corner over the shape's, upright
 constexpr double kBallPerHeight = 0.8;
 constexpr double kAirHeight = 1.05;    // height of an air burst's centre above the base plane
 constexpr double kRightAngle = kPi / 2.0;
@@ -85,8 +85,9 @@ double slant(double lean_rad, double height) {
 nurbs::Surface cupOf(const TemplateShape& shape) {
   const double length = slant(shape.lean_rad, shape.height), flare = length * std::sin(shape.lean_rad), rise = length * std::cos(shape.lean_rad);
   const auto ring = [&](double out, double y) { return nurbs::Ring{shape.foot_x + out, shape.foot_z + out, y, 1.0}; };
-  const nurbs::KnotVector profile{2, {0, 0, 0, 0.5, 1, 1, 1}};
-  return nurbs::ringSurface(profile, {ring(0.0, 0.0), ring(0.5 * flare, 0.5 * rise), ring(flare, rise), ring(flare, shape.height)}).mapped(shape.frame);
+  // The first span sees only the first three points, which lie on one line: a straight side up to 0.88 of the way to the corner.
+  const nurbs::KnotVector profile{2, {0, 0, 0, 0.6, 1, 1, 1}};
+  return nurbs::ringSurface(profile, {ring(0.0, 0.0), ring(0.7 * flare, 0.7 * rise), ring(flare, rise), ring(flare, shape.height)}).mapped(shape.frame);
 }
 
 /// Back from template space to shape space; the frame is a turn times a scale.

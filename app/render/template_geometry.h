@@ -12,15 +12,15 @@
 /// It lives in a space of its own without unit: x east, y up, z south as in the world, base plane y = 0. The encoding, all of it
 /// monotone and bounded so that every valid preset fits the view, with the saturating share q(x, c) = x / (x + c):
 ///
-///   height  h = 0.25 + q(speed_mean, 25 m/s)     Y-mag
-///   foot    r = 0.2 + 0.45 q(region extent, 4 m)    per axis: region radius, or half the length along x and the width along z
+///   height  h = 0.25 + 0.95 q(speed_mean, 25 m/s)     Y-mag
+///   foot    r = 0.2 + 0.35 q(region extent, 4 m)    per axis: region radius, or half the length along x and the width along z
 ///   scale   s = 0.6 + 0.4 q(size_mean, 0.5 m)       XZ-mag; multiplies the whole shape
 ///   lean    = min(ejection_angle, 90 deg)           angle between a side and the principal direction
 ///
-/// Ground burst: a rational surface whose quadratic profile over knots 0 0 0 1/2 1 1 1 leaves the foot in the direction of the lean,
-/// exactly straight for v <= 1/2, and then turns up to the rim at height h. Lean 0 is an upright cylinder, lean 90 deg a wide
-/// dish. The corner of its control polygon lies where the side meets the ellipse with half-axes 0.75 (out) and 0.85 h (up), so
-/// that the rim's distance from the foot is w = sin / sqrt((cos / 0.85 h)^2 + (sin / 0.75)^2), growing with the lean to 0.75.
+/// Ground burst: a rational surface whose quadratic profile over knots 0 0 0 0.6 1 1 1 leaves the foot in the direction of the lean,
+/// exactly straight for v <= 0.6, and then turns up to the rim at height h. Lean 0 is an upright cylinder, lean 90 deg a wide
+/// dish. The corner of its control polygon lies where the side meets the ellipse with half-axes 1 (out) and 0.92 h (up), so
+/// that the rim's distance from the foot is w = sin / sqrt((cos / 0.92 h)^2 + sin^2), growing with the lean to 1.
 /// Regions that are not round scale the circle to an ellipse of their extents; its sections along x and z keep the exact lean.
 /// A principal direction that is not upright turns the whole shape.
 ///
@@ -80,7 +80,7 @@ TemplateShape templateShape(const Preset& preset, int layer);
 
 /// Bounds that hold for every valid preset: a cup lies in the cylinder of this radius and height upon its foot, a ball in the sphere
 /// of this radius.
-inline constexpr double kLargestCupRadius = 1.4, kLargestCupHeight = 1.25, kLargestBall = 1.0;
+inline constexpr double kLargestCupRadius = 1.55, kLargestCupHeight = 1.2, kLargestBall = 0.96;
 
 /// The middle of the largest shape of this kind: what a camera looks at.
 Vec3 templateCentre(const TemplateShape& shape);

@@ -88,6 +88,20 @@ TEST(TemplateGeometry, TheSideLeansAtTheEjectionAngleFromThePrincipalDirection) 
   }
 }
 
+TEST(TemplateGeometry, TheSideIsStraightOverMostOfItsRiseAndTurnsUprightAtTheRim) {
+  for (const double angle : {0.2, 0.6, 0.9}) {
+    const TemplateShape shape = templateShape(groundBurst(25.0, angle), 0);
+    const Vec3 foot = shape.surface.at(0.0, 0.0).point;
+    for (int j = 1; j <= 6; ++j) {
+      const Vec3 p = shape.surface.at(0.0, j / 10.0).point - foot;
+      EXPECT_NEAR(std::atan2(p.x, p.y), angle, 1e-12);
+    }
+    EXPECT_GT(shape.surface.at(0.0, 0.6).point.y, 0.55 * shape.scale * shape.height);
+    const Vec3 rim = shape.surface.at(0.0, 1.0).dv;
+    EXPECT_NEAR(rim.x / rim.y, 0.0, 1e-12);
+  }
+}
+
 TEST(TemplateGeometry, ASideAtZeroIsAnUprightCylinder) {
   const TemplateShape shape = templateShape(groundBurst(40.0, 0.0), 0);
   for (int j = 0; j <= 10; ++j) {
