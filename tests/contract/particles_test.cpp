@@ -112,7 +112,8 @@ TEST(ParticlesCommand, AFullDiskExitsFive) {
 
 TEST(CommandLine, UnknownCommandsAreNamedWithTheNearest) {
   expectRefused({"particle"}, 2, "there is no command \"particle\". Did you mean particles?");
-  expectRefused({"particles", kClassic, "--tme", "1"}, 2, "--tme");
+  expectRefused({"particles", kClassic, "--tme", "1"}, 2, "there is no option --tme. Did you mean --time?");
+  expectRefused({"particles", kClassic, "extra", "--time", "1"}, 2, "\"extra\" was not expected.");
 }
 
 TEST(CommandLine, EveryCommandHasHelpWithExamplesOnStdout) {
