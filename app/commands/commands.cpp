@@ -5,6 +5,7 @@
 namespace npsee::commands {
 
 void addAll(CLI::App& app, Outcome& outcome) {
+  addEdit(app, outcome);
   addRender(app, outcome);
   addParticles(app, outcome);
   addCheck(app, outcome);

@@ -4,7 +4,6 @@
 #include "sim/explosion/contact.h"
 #include "sim/explosion/kernels.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace npsee::explosion {

@@ -1,0 +1,111 @@
+#include "app/commands/command.h"
+
+#include "app/render/renderer.h"
+#include "editor/run.h"
+#include "editor/script/parser.h"
+
+#include <npsee/units.h>
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+namespace npsee::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string file, script, screenshot, size = "1440x900", time, scale = "1";
+  bool headless = false, print_state = false;
+};
+
+/// Folder of the shipped presets: beside the executable, below its prefix, or in the source tree it was built in.
+fs::path shippedPresets() {
+  std::error_code error;
+  const fs::path binary = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  const fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / "presets";
+  if (fs::is_directory(installed, error)) return installed;
+  fs::path folder = binary.parent_path();
+  for (int up = 0; up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path())
+    if (fs::is_directory(folder / "presets", error)) return folder / "presets";
+  return {};
+}
+
+Expected<std::pair<int, int>> parseSize(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool separated = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = separated ? std::from_chars(first.ptr + 1, end, height) : first;
+  if (!separated || second.ec != std::errc() || second.ptr != end || width < 640 || height < 400 || width > render::kMaxPictureSize || height > render::kMaxPictureSize)
+    return fail(ErrorKind::usage, "--size " + text + " is not a size of a window.", "Write WIDTHxHEIGHT in pixels, at least 640x400 and at most 8192x8192, e.g. 1440x900.");
+  return std::pair(width, height);
+}
+
+Expected<editor::EditorOptions> editorOptions(const Options& options) {
+  editor::EditorOptions out;
+  out.file = options.file;
+  out.library = shippedPresets();
+  if (!options.time.empty()) {
+    const auto time = parseQuantity(options.time, Unit::second);
+    if (!time || *time < 0.0) return fail(ErrorKind::usage, "--time " + options.time + " is not a time.", "Write seconds after the burst, e.g. 0.8.");
+    out.time_s = *time;
+  }
+  const auto scale = parseQuantity(options.scale, Unit::none);
+  if (!scale || *scale < 0.75 || *scale > 4.0) return fail(ErrorKind::usage, "--scale " + options.scale + " is not a scale of the panels.", "Write a number from 0.75 to 4.");
+  out.scale = static_cast<float>(*scale);
+  return out;
+}
+
+int edit(const Options& options) {
+  const bool needs_headless = !options.script.empty() || !options.screenshot.empty();
+  if (needs_headless && !options.headless) return report(fail(ErrorKind::usage, "--script and --screenshot work without a window.", "Add --headless.").value());
+  if (options.headless && !needs_headless) return report(fail(ErrorKind::usage, "--headless alone has nothing to do.", "Add --script FILE, --screenshot PICTURE.png, or both.").value());
+  const auto size = parseSize(options.size);
+  if (!size) return report(size.error());
+  const auto chosen = editorOptions(options);
+  if (!chosen) return report(chosen.error());
+  int printed = 0;
+  const auto print = [&printed](const std::string& line) {
+    if (printed == 0) printed = writeResult(line + '\n');
+  };
+  if (!options.headless) {
+    const auto done = editor::runWindow({*chosen, size->first, size->second, options.print_state}, print);
+    return done ? printed : report(done.error());
+  }
+  const auto code = editor::runHeadless({*chosen, size->first, size->second, options.script, options.screenshot}, print);
+  if (!code) return report(code.error());
+  return *code != 0 ? *code : printed;
+}
+
+std::string footer() {
+  std::string out = "Examples:\n  npsee edit presets/classic_1993.npsee.json\n  npsee edit --headless --screenshot editor.png --time 0.8\n"
+                    "  npsee edit my_burst.npsee.json --headless --script session.txt --screenshot editor.png\n\n"
+                    "Script, one command per line (docs/ui-script.md):\n";
+  for (const editor::ScriptCommandInfo& command : editor::scriptCommands()) out += "  " + std::string(command.name) + ' ' + std::string(command.arguments) + "\n      " + std::string(command.doc) + '\n';
+  return out;
+}
+
+}  // namespace
+
+void addEdit(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("edit", "The editor: a window, or with --headless a script that drives it without a display");
+  command->add_option("FILE", options->file, "Preset to open (*.npsee.json); without it a new one is started");
+  command->add_flag("--headless", options->headless, "No window: run a script on the software renderer");
+  command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
+  command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");
+  command->add_option("--size", options->size, "Size of the window in pixels; 1440x900 by default")->type_name("WxH");
+  command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");
+  command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default")->type_name("FACTOR");
+  command->add_flag("--print-state", options->print_state, "Print the editor's state when the window is closed");
+  command->footer(footer());
+  command->callback([options, &outcome] { outcome.exit_code = edit(*options); });
+}
+
+}  // namespace npsee::commands

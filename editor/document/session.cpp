@@ -1,0 +1,150 @@
+#include "editor/document/session.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace npsee::editor {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+/// Patience with the compiler in a window: a quarter of a frame at 60 Hz; a script waits as long as it takes.
+constexpr milliseconds kPatience{4}, kForever{600'000};
+
+}  // namespace
+
+Session::Session(SessionOptions options) : options_(std::move(options)) {
+  if (!options_.library.empty()) library_ = listFolder(options_.library);
+}
+
+void Session::update(double elapsed_s) {
+  if (requested_revision_ != document.revision()) {
+    requested_revision_ = document.revision();
+    compiler_.request(document.snapshot(), requested_revision_);
+  }
+  takeCompiled();
+  playback.advance(elapsed_s);
+  if (!explosion_) return;
+  explosion_->at(playback.time_s, frame_, render::kSceneFields);
+  const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
+  alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
+}
+
+void Session::takeCompiled() {
+  auto result = compiler_.poll(options_.wait_for_compile || !explosion_ ? kForever : kPatience);
+  if (!result) return;
+  if (!result->explosion) {
+    notices.error = result->explosion.error().text() + "\n  The picture still shows the last good state.";
+    return;
+  }
+  explosion_ = std::move(*result->explosion);
+  playback.setDuration(explosion_->duration_s());
+  if (std::exchange(frame_on_compile_, false)) frameAll();
+}
+
+void Session::frameAll() {
+  if (explosion_) camera = render::framing(explosion_->extent(), aspect_);
+}
+
+double Session::radius_m() const { return explosion_ ? std::max(explosion_->extent().radius_m(), 0.1) : 20.0; }
+
+bool Session::took(const Expected<void>& result) {
+  if (result) {
+    notices.note.clear();
+    return true;
+  }
+  notices.error = result.error().text();
+  return false;
+}
+
+void Session::startNew() { begin(Intent::start_new); }
+void Session::open(const fs::path& path) { begin(Intent::open, path); }
+void Session::quit() { begin(Intent::quit); }
+
+void Session::begin(Intent intent, fs::path path) {
+  intent_ = intent;
+  intent_path_ = std::move(path);
+  document.endMerge();
+  if (!document.dirty()) proceed();
+}
+
+void Session::proceed() {
+  const Intent intent = std::exchange(intent_, Intent::none);
+  proceed_after_save_ = false;
+  if (intent == Intent::quit) quitting_ = true;
+  if (intent == Intent::open) loadNow(intent_path_);
+  if (intent != Intent::start_new) return;
+  document.startNew();
+  frame_on_compile_ = true;
+  notices = {};
+}
+
+void Session::loadNow(const fs::path& path) {
+  if (!took(document.load(path))) return;
+  notices = {{}, "Opened " + path.string()};
+  frame_on_compile_ = true;
+  playback.time_s = 0.0;
+  closeFiles();
+}
+
+void Session::answer(Answer answer) {
+  if (intent_ == Intent::none) return;
+  if (answer == Answer::discard) return proceed();
+  if (answer == Answer::cancel) {
+    intent_ = Intent::none;
+    return;
+  }
+  proceed_after_save_ = true;
+  save();
+}
+
+void Session::save() {
+  if (document.path().empty()) return showFiles(FilePanel::Mode::save_as);
+  if (!took(document.save())) {
+    proceed_after_save_ = false;
+    return;
+  }
+  notices = {{}, "Saved " + document.path().string()};
+  if (proceed_after_save_) proceed();
+}
+
+void Session::showFiles(FilePanel::Mode mode) {
+  files.mode = mode;
+  const fs::path start = !document.path().empty() ? document.path().parent_path() : files.listing.folder;
+  files.name = mode == FilePanel::Mode::save_as ? document.name() + ".npsee.json" : "";
+  files.listing = listFolder(start);
+}
+
+void Session::enterFolder(const fs::path& folder) { files.listing = listFolder(folder); }
+
+void Session::confirmFiles() {
+  if (files.name.empty()) {
+    notices.error = "The name of the file is missing.\n  Write a name, or click one in the list.";
+    return;
+  }
+  const fs::path path = (files.listing.folder / files.name).lexically_normal();
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    enterFolder(path);
+    files.name.clear();
+    return;
+  }
+  if (files.mode == FilePanel::Mode::open) return open(path);
+  if (!took(document.saveAs(path))) return;
+  notices = {{}, "Saved " + document.path().string()};
+  const bool go_on = proceed_after_save_;
+  closeFiles();
+  if (go_on) proceed();
+}
+
+void Session::closeFiles() {
+  files.mode = FilePanel::Mode::closed;
+  // Leaving the panel without saving means the question is still open.
+  proceed_after_save_ = false;
+}
+
+std::string Session::title() const { return document.name() + (document.dirty() ? " *" : ""); }
+
+}  // namespace npsee::editor

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "app/render/camera.h"
+#include "app/render/renderer.h"
+#include "editor/document/compiler.h"
+#include "editor/document/document.h"
+#include "editor/document/folder.h"
+#include "editor/document/playback.h"
+
+#include <npsee/explosion.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace npsee::editor {
+
+/// What waits until the question about unsaved work is answered.
+enum class Intent { none, start_new, open, quit };
+enum class Answer { save, discard, cancel };
+
+/// The file panel: which of the two it is and what is typed in it.
+struct FilePanel {
+  enum class Mode { closed, open, save_as } mode = Mode::closed;
+  FolderListing listing;
+  std::string name;  ///< file name or path as typed
+};
+
+/// What the person is told. An error stays until it is dismissed or followed by another; a note goes with the next edit.
+struct Notices {
+  std::string error;
+  std::string note;
+};
+
+struct SessionOptions {
+  std::filesystem::path library;  ///< folder whose presets the library lists; empty = none
+  bool wait_for_compile = false;  ///< scripts: every frame shows the finished explosion
+};
+
+/// The editor without a picture: everything the panels show and change, and the rules between them. No ImGui, no GL.
+class Session {
+ public:
+  explicit Session(SessionOptions options);
+
+  Document document;
+  Playback playback;
+  render::Camera camera;
+  render::TemplateView template_view = render::TemplateView::surface;
+  double template_yaw_rad = 0.6, template_pitch_rad = 0.35;
+  FilePanel files;
+  Notices notices;
+
+  /// Lets time pass, hands changed presets to the compiler and evaluates the explosion at the moment shown.
+  void update(double elapsed_s);
+
+  /// Last good explosion and its state at `playback.time_s`; null before the first.
+  const Explosion* explosion() const { return explosion_.get(); }
+  const Frame& frame() const { return frame_; }
+  std::size_t alive() const { return alive_; }
+  bool compiling() const { return compiler_.busy(); }
+
+  /// Puts the whole effect into view; `aspect` is the viewport's width over height, used from now on.
+  void frameAll();
+  void setAspect(double aspect) { aspect_ = aspect; }
+  /// Radius by which keyboard steps are sized, m.
+  double radius_m() const;
+
+  /// Runs an edit's result through the notices: an error is shown, success clears the note.
+  bool took(const Expected<void>& result);
+
+  /// Opening, starting anew and quitting ask first when there is unsaved work.
+  void startNew();
+  void open(const std::filesystem::path& path);
+  void quit();
+  Intent asking() const { return intent_; }
+  void answer(Answer answer);
+  bool quitting() const { return quitting_; }
+
+  /// Saves to the document's file, or shows the file panel if it has none.
+  void save();
+  void showFiles(FilePanel::Mode mode);
+  void enterFolder(const std::filesystem::path& folder);
+  /// What the file panel's button does with the typed name: enter a folder, open or save.
+  void confirmFiles();
+  void closeFiles();
+
+  const FolderListing& library() const { return library_; }
+
+  /// "name *" as the window's title shows it.
+  std::string title() const;
+
+ private:
+  void begin(Intent intent, std::filesystem::path path = {});
+  void proceed();
+  void loadNow(const std::filesystem::path& path);
+  void takeCompiled();
+
+  SessionOptions options_;
+  Compiler compiler_;
+  std::shared_ptr<const Explosion> explosion_;
+  Frame frame_;
+  std::size_t alive_ = 0;
+  std::uint64_t requested_revision_ = 0;
+  bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not
+  double aspect_ = 1.6;
+  Intent intent_ = Intent::none;
+  std::filesystem::path intent_path_;
+  bool proceed_after_save_ = false;
+  bool quitting_ = false;
+  FolderListing library_;
+};
+
+}  // namespace npsee::editor

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/gl/context.h"
+#include "app/render/renderer.h"
+#include "editor/run.h"
+#include "editor/ui/context.h"
+#include "editor/ui/draw_data.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace npsee::editor {
+
+/// The whole editor on the current GL and ImGui contexts; whoever owns those feeds input and time. The same in a window and on
+/// OSMesa.
+class Editor {
+ public:
+  /// Loads fonts, shaders and the file. Errors: graphics, input.
+  static Expected<std::unique_ptr<Editor>> create(const EditorOptions& options);
+  ~Editor();
+
+  /// One frame between ImGui::NewFrame and ImGui::Render: `elapsed_s` passes, keys and panels act. Without `pictures` the
+  /// explosion and the template are not drawn, which a script's frames that nobody sees need not be.
+  void frame(double elapsed_s, std::optional<float> frame_ms, bool pictures);
+
+  /// Draws the finished frame into the bound framebuffer.
+  void draw() const;
+
+  Session& session();
+  UiState& state();
+  Items& items();
+
+  /// What scripts can ask for, by name: camera, time, undo steps, title, ...
+  std::vector<std::pair<std::string, std::string>> facts() const;
+
+ private:
+  struct Impl;
+  explicit Editor(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// An ImGui context of our own, without files of its own; destroyed with the object. Make it before the Editor.
+class UiHost {
+ public:
+  UiHost();
+  ~UiHost();
+  UiHost(const UiHost&) = delete;
+  UiHost& operator=(const UiHost&) = delete;
+};
+
+}  // namespace npsee::editor

@@ -1,0 +1,110 @@
+#include "editor/panels/actions.h"
+
+#include "editor/document/camera_moves.h"
+#include "editor/panels/panels.h"
+#include "editor/script/parser.h"
+
+#include <array>
+
+namespace npsee::editor {
+namespace {
+
+using Ui = const PanelContext&;
+
+bool hasLayer(Ui ui) { return ui.session.document.hasLayer(); }
+bool canUndo(Ui ui) { return ui.session.document.history().canUndo(); }
+bool canRedo(Ui ui) { return ui.session.document.history().canRedo(); }
+
+template <render::TemplateView view>
+void showView(Ui ui) {
+  ui.session.template_view = view;
+}
+template <render::TemplateView view>
+bool showsView(Ui ui) {
+  return ui.session.template_view == view;
+}
+
+void changeSpeed(Ui ui, int by) {
+  Playback& playback = ui.session.playback;
+  for (int i = 0; i < static_cast<int>(Playback::kSpeeds.size()); ++i)
+    if (playback.speed <= Playback::kSpeeds[static_cast<std::size_t>(i)]) {
+      const int to = std::clamp(i + by, 0, static_cast<int>(Playback::kSpeeds.size()) - 1);
+      playback.speed = Playback::kSpeeds[static_cast<std::size_t>(to)];
+      return;
+    }
+}
+
+using enum render::TemplateView;
+using Mode = FilePanel::Mode;
+
+const std::array kActions{
+    Action{"File", "New", "ctrl+N", [](Ui ui) { ui.session.startNew(); }},
+    Action{"File", "Open", "ctrl+O", [](Ui ui) { ui.session.showFiles(Mode::open); }},
+    Action{"File", "Save", "ctrl+S", [](Ui ui) { ui.session.save(); }, nullptr, nullptr, true},
+    Action{"File", "Save as", "ctrl+shift+S", [](Ui ui) { ui.session.showFiles(Mode::save_as); }},
+    Action{"File", "Quit", "ctrl+Q", [](Ui ui) { ui.session.quit(); }, nullptr, nullptr, true},
+    Action{"Edit", "Undo", "ctrl+Z", [](Ui ui) { ui.session.document.undo(); }, canUndo},
+    Action{"Edit", "Redo", "ctrl+shift+Z", [](Ui ui) { ui.session.document.redo(); }, canRedo},
+    Action{"View", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }},
+    Action{"View", "Template as splines", "", showView<splines>, nullptr, showsView<splines>, true},
+    Action{"View", "Template as polygons", "", showView<polygons>, nullptr, showsView<polygons>},
+    Action{"View", "Template as surface", "", showView<surface>, nullptr, showsView<surface>},
+    Action{"View", "Left panels", "F2", [](Ui ui) { ui.state.show_left = !ui.state.show_left; }, nullptr, [](Ui ui) { return ui.state.show_left; }, true},
+    Action{"View", "Right panels", "F5", [](Ui ui) { ui.state.show_right = !ui.state.show_right; }, nullptr, [](Ui ui) { return ui.state.show_right; }},
+    Action{"View", "Light theme", "", [](Ui ui) { ui.state.light = !ui.state.light; }, nullptr, [](Ui ui) { return ui.state.light; }},
+    Action{"Layer", "Add layer", "ctrl+shift+N", [](Ui ui) { ui.session.took(ui.session.document.addLayer()); }},
+    Action{"Layer", "Duplicate layer", "ctrl+D", [](Ui ui) { ui.session.took(ui.session.document.duplicateLayer()); }, hasLayer},
+    Action{"Layer", "Rename layer", "", [](Ui ui) { ui.state.rename_layer = true; }, hasLayer},
+    Action{"Layer", "Move layer up", "alt+Up", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(-1)); }, hasLayer},
+    Action{"Layer", "Move layer down", "alt+Down", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(1)); }, hasLayer},
+    Action{"Layer", "Delete layer", "ctrl+Delete", [](Ui ui) { ui.session.took(ui.session.document.deleteLayer()); }, hasLayer, nullptr, true},
+    Action{"Time", "Play or pause", "Space", [](Ui ui) { ui.session.playback.toggle(); }},
+    Action{"Time", "Go to the burst", "0", [](Ui ui) { ui.session.playback.seek(0.0); }},
+    Action{"Time", "Step back", "Comma", [](Ui ui) { ui.session.playback.step(-1); }},
+    Action{"Time", "Step on", "Period", [](Ui ui) { ui.session.playback.step(1); }},
+    Action{"Time", "Slower", "LeftBracket", [](Ui ui) { changeSpeed(ui, -1); }},
+    Action{"Time", "Faster", "RightBracket", [](Ui ui) { changeSpeed(ui, 1); }},
+    Action{"Time", "Loop", "L", [](Ui ui) { ui.session.playback.loop = !ui.session.playback.loop; }, nullptr, [](Ui ui) { return ui.session.playback.loop; }},
+    Action{"Help", "Keys and mouse", "F1", [](Ui ui) { ui.state.show_help = !ui.state.show_help; }, nullptr, [](Ui ui) { return ui.state.show_help; }},
+};
+
+constexpr int number(CameraKey key) { return static_cast<int>(key); }
+
+// Left is x+ and right x- in the thesis: the picture, not the viewpoint, follows the arrow.
+constexpr std::array kCameraKeys{
+    CameraKeyInfo{"Up", "viewpoint z-", number(CameraKey::viewpoint_z_minus)},
+    CameraKeyInfo{"Down", "viewpoint z+", number(CameraKey::viewpoint_z_plus)},
+    CameraKeyInfo{"Left", "viewpoint x+", number(CameraKey::viewpoint_x_plus)},
+    CameraKeyInfo{"Right", "viewpoint x-", number(CameraKey::viewpoint_x_minus)},
+    CameraKeyInfo{"Home", "viewpoint y+", number(CameraKey::viewpoint_y_plus)},
+    CameraKeyInfo{"End", "viewpoint y-", number(CameraKey::viewpoint_y_minus)},
+    CameraKeyInfo{"KP8", "reference point y+", number(CameraKey::reference_y_plus)},
+    CameraKeyInfo{"KP2", "reference point y-", number(CameraKey::reference_y_minus)},
+    CameraKeyInfo{"KP4", "reference point x-", number(CameraKey::reference_x_minus)},
+    CameraKeyInfo{"KP6", "reference point x+", number(CameraKey::reference_x_plus)},
+};
+
+bool pressed(const KeyStroke& stroke, bool repeat) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyCtrl == stroke.ctrl && io.KeyShift == stroke.shift && io.KeyAlt == stroke.alt && ImGui::IsKeyPressed(stroke.code, repeat);
+}
+
+}  // namespace
+
+std::span<const Action> actions() { return kActions; }
+std::span<const CameraKeyInfo> cameraKeys() { return kCameraKeys; }
+
+void handleKeys(const PanelContext& ui) {
+  if (ImGui::GetIO().WantTextInput) return;
+  for (const Action& action : kActions) {
+    if (action.shortcut.empty() || (action.enabled != nullptr && !action.enabled(ui))) continue;
+    const auto stroke = parseKeyStroke(action.shortcut);
+    const bool repeats = action.label.starts_with("Step");
+    if (stroke && pressed(*stroke, repeats)) action.run(ui);
+  }
+  for (const CameraKeyInfo& info : kCameraKeys)
+    if (const auto stroke = parseKeyStroke(info.key); stroke && pressed(*stroke, true))
+      ui.session.camera = moved(ui.session.camera, static_cast<CameraKey>(info.move), keyStep_m(ui.session.radius_m()));
+}
+
+}  // namespace npsee::editor

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "editor/ui/context.h"
+
+#include <span>
+#include <string_view>
+
+namespace npsee::editor {
+
+/// A command of the menus. Menus, shortcuts and the cheat sheet are all made from one table.
+struct Action {
+  std::string_view menu, label;
+  std::string_view shortcut;  ///< as parseKeyStroke reads it; empty = none
+  void (*run)(const PanelContext&);
+  bool (*enabled)(const PanelContext&) = nullptr;  ///< null = always
+  bool (*checked)(const PanelContext&) = nullptr;  ///< null = no check mark
+  bool rule_before = false;                        ///< a line above it in the menu
+};
+std::span<const Action> actions();
+
+/// The thesis's keys (appendix B.B) and what they move.
+struct CameraKeyInfo {
+  std::string_view key, doc;
+  int move;  ///< a CameraKey
+};
+std::span<const CameraKeyInfo> cameraKeys();
+
+}  // namespace npsee::editor

@@ -1,0 +1,52 @@
+#include "editor/document/camera_moves.h"
+#include "editor/panels/actions.h"
+#include "editor/panels/panels.h"
+#include "editor/script/parser.h"
+#include "editor/ui/controls.h"
+#include "editor/ui/slider.h"
+
+#include <array>
+
+namespace npsee::editor {
+namespace {
+
+void line(const PanelContext& ui, const std::string& key, const std::string& text) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(24), column = ui.px(112);
+  ImGui::PushFont(ui.fonts.numbers);
+  rowText(at, column, height, ui.theme.accent, key);
+  ImGui::PopFont();
+  rowText({at.x + column, at.y}, width - column, height, ui.theme.text, text);
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+struct MouseUse {
+  const char *how, *what;
+};
+constexpr std::array kMouse{
+    MouseUse{"Left drag", "turn around the effect"}, MouseUse{"Middle drag", "shift the view"}, MouseUse{"Wheel", "nearer, to the pointer"},
+    MouseUse{"Double click", "type a value with a unit"}, MouseUse{"Shift+drag", "ten times finer"}, MouseUse{"Right button", "menus of rows and template"},
+};
+
+}  // namespace
+
+void drawHelpPanel(const PanelContext& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  heading(ui, "Keys and mouse");
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x + width - ui.px(24), at.y});
+  if (iconButton(ui, Icon::cross, "close help", "Close (F1)", false, 24)) ui.state.show_help = false;
+  ImGui::SetCursorScreenPos(below);
+  ImGui::BeginChild("help", ImVec2(0, 0));
+  for (const MouseUse& use : kMouse) line(ui, use.how, use.what);
+  heading(ui, "Commands");
+  for (const Action& action : actions())
+    if (!action.shortcut.empty()) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
+  const std::string step = shortNumber(keyStep_m(ui.session.radius_m()));
+  heading(ui, ("Camera, " + step + " m a press").c_str());
+  for (const CameraKeyInfo& info : cameraKeys()) line(ui, std::string(info.key), std::string(info.doc));
+  ImGui::EndChild();
+}
+
+}  // namespace npsee::editor

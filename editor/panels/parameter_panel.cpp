@@ -1,0 +1,79 @@
+#include "editor/panels/panels.h"
+#include "editor/ui/controls.h"
+
+#include <imgui_stdlib.h>
+
+#include <array>
+
+namespace npsee::editor {
+namespace {
+
+// What is shaped most often stands first; a section's rows are those of the table.
+constexpr std::array kOrder{Section::burst, Section::region, Section::launch, Section::time, Section::flight, Section::ground,
+                            Section::look, Section::layer, Section::hierarchy, Section::surroundings, Section::about};
+
+bool contains(std::string_view text, const std::string& word) { return capitals(text).find(word) != std::string::npos; }
+
+bool matches(const Parameter& parameter, const std::string& word) {
+  return word.empty() || contains(parameter.label, word) || contains(parameter.key, word) || contains(parameter.thesis, word) || contains(title(parameter.section), word);
+}
+
+/// True if a script wants a row of that parameter, to type in it or to use its widgets.
+bool asked(const PanelContext& ui, const Parameter& parameter) {
+  const std::string name = parameterName(ui.session.document, parameter);
+  const std::string& wanted = ui.items.wanted();
+  return ui.state.typed.contains(name) || (!wanted.empty() && wanted.ends_with(name));
+}
+
+std::vector<const Parameter*> rowsOf(const PanelContext& ui, Section section, const std::string& word) {
+  std::vector<const Parameter*> out;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.section != section || (parameter.scope == Scope::layer && !ui.session.document.hasLayer())) continue;
+    if (matches(parameter, word)) out.push_back(&parameter);
+  }
+  return out;
+}
+
+void drawSection(const PanelContext& ui, Section section, const std::string& word) {
+  const auto rows = rowsOf(ui, section, word);
+  if (rows.empty()) return;
+  for (const Parameter* row : rows)
+    if (asked(ui, *row)) ui.state.folded.erase(section);
+  // A search shows what it found.
+  const bool folded = word.empty() && ui.state.folded.contains(section);
+  if (foldingHeading(ui, std::string(title(section)), folded) && word.empty()) {
+    if (!ui.state.folded.erase(section)) ui.state.folded.insert(section);
+  }
+  if (folded) return;
+  for (const Parameter* row : rows) drawParameterRow(ui, *row);
+  ImGui::Dummy(ImVec2(1, ui.px(6)));
+}
+
+void drawSearch(const PanelContext& ui) {
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(10), std::floor(0.5f * (ui.px(28) - ImGui::GetFontSize()))));
+  ImGui::InputTextWithHint("##search", "find parameter", &ui.state.search);
+  ImGui::PopStyleVar();
+  ui.item("field:search");
+}
+
+}  // namespace
+
+void drawParameterPanel(const PanelContext& ui) {
+  drawSearch(ui);
+  for (const Parameter& parameter : parameters())
+    if ((parameter.scope == Scope::burst || ui.session.document.hasLayer()) && asked(ui, parameter)) ui.state.search.clear();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
+  ImGui::BeginChild("parameters", ImVec2(0, 0), false, ImGuiWindowFlags_NoBackground);
+  const std::string word = capitals(ui.state.search);
+  bool any = false;
+  for (const Section section : kOrder) {
+    any = any || !rowsOf(ui, section, word).empty();
+    drawSection(ui, section, word);
+  }
+  if (!any) ImGui::TextDisabled("No parameter has \"%s\" in its name.", ui.state.search.c_str());
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace npsee::editor

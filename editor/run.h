@@ -1,0 +1,38 @@
+#pragma once
+
+#include <npsee/error.h>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace npsee::editor {
+
+struct EditorOptions {
+  std::filesystem::path file;     ///< preset to open; empty starts a new one
+  std::filesystem::path library;  ///< folder of the shipped presets; empty = none
+  std::optional<double> time_s;   ///< start paused at this moment instead of playing
+  float scale = 1.0f;             ///< of the display
+  bool scripted = false;          ///< every frame waits for the compiler, nothing measured is shown
+};
+
+struct HeadlessOptions {
+  EditorOptions editor;
+  int width = 1440, height = 900;
+  std::filesystem::path script;      ///< empty = none
+  std::filesystem::path screenshot;  ///< picture of the last frame; empty = none
+};
+/// Runs the editor on OSMesa through a script. Returns the exit code 0, or 1 when an expectation of the script did not hold, with
+/// the message on stderr. `print` gets what the script prints. Errors: graphics, input, output.
+Expected<int> runHeadless(const HeadlessOptions& options, const std::function<void(const std::string&)>& print);
+
+struct WindowedOptions {
+  EditorOptions editor;
+  int width = 1440, height = 900;
+  bool print_state = false;  ///< print the facts when the window closes
+};
+/// Opens the window and returns when it is closed. Errors: graphics (no display), input.
+Expected<void> runWindow(const WindowedOptions& options, const std::function<void(const std::string&)>& print);
+
+}  // namespace npsee::editor

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "editor/document/session.h"
+#include "editor/ui/items.h"
+#include "editor/ui/theme.h"
+
+#include <npsee/parameters.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace npsee::editor {
+
+/// Pictures that panels show. The panels ask by size; who answers knows GL.
+class Pictures {
+ public:
+  virtual ~Pictures() = default;
+  /// Texture of the explosion (template) drawn at that size in pixels, origin lower left; null when nothing was drawn.
+  virtual ImTextureID explosion(const Session& session, int width, int height) = 0;
+  virtual ImTextureID shape(const Session& session, int width, int height) = 0;
+};
+
+/// What the widgets remember from frame to frame. Panels have no other state.
+struct UiState {
+  float left_width = 252, right_width = 372, template_height = 330;  ///< unscaled pixels
+  bool show_left = true, show_right = true, show_help = false, light = false;
+  std::string search;
+  std::set<Section> folded{Section::about, Section::layer, Section::hierarchy};
+
+  /// The slider or number being dragged.
+  struct Drag {
+    std::string name;
+    double fraction = 0.0;  ///< where the thumb would be, unclamped
+    float pressed_x = 0.0f;
+    bool moving = false;
+  } drag;
+
+  /// A click on a slider's track jumps there unless it turns out to be a double click.
+  struct Click {
+    std::string name;
+    double fraction = 0.0;
+    double age_s = 0.0;
+  } click;
+
+  /// The field being typed in.
+  struct Typing {
+    std::string name;
+    std::string text;
+    std::string wrong;  ///< why the text was not taken
+    bool fresh = true;  ///< the field has not had the focus yet
+  } typing;
+
+  /// The item under the pointer, for how long.
+  struct Hover {
+    std::string name;
+    double seconds = 0.0;
+    bool seen = false;
+  } hover;
+  std::string hint;  ///< one line about it, for the status line
+
+  /// Values that a script typed: parameter name to text; the parameter's row takes them as if typed there.
+  std::map<std::string, std::string> typed;
+  std::string typed_error;
+
+  std::set<std::string> unfolded;  ///< curves and gradients whose points are listed
+  bool rename_layer = false;  ///< the selected layer's name is being edited
+};
+
+/// What every panel function gets: the document with its session, and the means to draw.
+struct PanelContext {
+  Session& session;
+  UiState& state;
+  Items& items;
+  Pictures& pictures;
+  const Theme& theme;
+  const Fonts& fonts;
+  float scale = 1.0f;
+  double elapsed_s = 0.0;
+  std::optional<float> frame_ms;  ///< measured time of a frame; none in scripts, whose pictures must not depend on it
+
+  /// Length in pixels of the display.
+  float px(float length) const { return length * scale; }
+  /// Names the last widget, so that scripts find it, and scrolls to it where that was asked for.
+  void item(const std::string& name) const;
+  /// The same for a rectangle.
+  void item(const std::string& name, ImVec2 min, ImVec2 max) const;
+  /// True when the pointer has rested on the last widget long enough for its tooltip. `hint` goes to the status line at once.
+  bool resting(const std::string& name, const std::string& hint = {}) const;
+};
+
+/// "fragments.speed_mean" or "gravity": how scripts and the command line name a parameter.
+std::string parameterName(const Document& document, const Parameter& parameter);
+
+}  // namespace npsee::editor

@@ -1,0 +1,110 @@
+#include "editor/ui/controls.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee::editor {
+
+bool iconButton(const PanelContext& ui, Icon icon, const std::string& name, const std::string& tip, bool active, float size, bool enabled) {
+  const std::string full = "button:" + name;
+  ImGui::BeginDisabled(!enabled);
+  const bool clicked = ImGui::InvisibleButton(full.c_str(), ImVec2(ui.px(size), ui.px(size)));
+  ImGui::EndDisabled();
+  ui.item(full);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hovered = ImGui::IsItemHovered() && enabled;
+  if (hovered) list.AddRectFilled(min, max, ImGui::IsItemActive() ? ui.theme.line : ui.theme.raised, ui.px(4));
+  const ImU32 colour = !enabled ? faded(ui.theme.dim, 0.4f) : active ? ui.theme.accent : hovered ? ui.theme.text : ui.theme.dim;
+  drawIcon(list, icon, {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)}, ui.px(size * 0.5f), colour);
+  if (ui.resting(full, tip)) tooltip(ui, tip);
+  return clicked && enabled;
+}
+
+bool textButton(const PanelContext& ui, const std::string& label, const std::string& name, bool primary) {
+  const std::string full = "button:" + name;
+  if (primary) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(ui.theme.accent, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(ui.theme.accent, 0.7f));
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.dark ? ui.theme.background : ui.theme.panel);
+  }
+  const bool clicked = ImGui::Button((label + "##" + full).c_str(), ImVec2(0, ui.px(26)));
+  if (primary) ImGui::PopStyleColor(4);
+  ui.item(full);
+  return clicked;
+}
+
+bool beginChoice(const PanelContext& ui, const std::string& id, const std::string& label, bool changed) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(24) - ImGui::GetFontSize()))));
+  ImGui::PushStyleColor(ImGuiCol_Text, changed ? ui.theme.accent : ui.theme.text);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::CalcItemWidth();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), label.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  drawIcon(list, Icon::chevron_down, {at.x + width - ui.px(13), at.y + ui.px(12)}, ui.px(9), ui.theme.dim);
+  return open;
+}
+
+void heading(const PanelContext& ui, const char* title) {
+  ImGui::PushFont(ui.fonts.small);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(26);
+  rowText(at, width, height, ui.theme.dim, capitals(title));
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + height - 1}, {at.x + width, at.y + height - 1}, ui.theme.line);
+  ImGui::PopFont();
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+bool foldingHeading(const PanelContext& ui, const std::string& title, bool folded) {
+  const std::string full = "section:" + title;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(26);
+  const bool clicked = ImGui::InvisibleButton(full.c_str(), ImVec2(width, height));
+  ui.item(full);
+  const ImU32 colour = ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  drawIcon(list, folded ? Icon::chevron_right : Icon::chevron_down, {at.x + ui.px(6), at.y + 0.5f * height}, ui.px(10), colour);
+  ImGui::PushFont(ui.fonts.small);
+  const std::string text = capitals(title);
+  rowText({at.x + ui.px(18), at.y}, width, height, colour, text);
+  const float end = at.x + ui.px(26) + ImGui::CalcTextSize(text.c_str()).x, middle = at.y + std::floor(0.5f * height) + 0.5f;
+  list.AddLine({end, middle}, {at.x + width, middle}, ui.theme.line);
+  ImGui::PopFont();
+  return clicked;
+}
+
+void rowText(const ImVec2& at, float width, float height, ImU32 colour, const std::string& text) {
+  const float y = std::floor(at.y + 0.5f * (height - ImGui::GetFontSize()));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {at.x, y}, {at.x + width, y + ImGui::GetFontSize() + 4.0f}, at.x + width, at.x + width, text.c_str(), text.c_str() + text.size(), &size);
+  ImGui::PopStyleColor();
+}
+
+void rowTextRight(float right, float y, float height, ImU32 colour, const std::string& text) {
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetWindowDrawList()->AddText({std::floor(right - width), std::floor(y + 0.5f * (height - ImGui::GetFontSize()))}, colour, text.c_str());
+}
+
+void tooltip(const PanelContext& ui, const std::string& text) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+std::string capitals(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return out;
+}
+
+}  // namespace npsee::editor

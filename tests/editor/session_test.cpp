@@ -1,0 +1,211 @@
+#include "editor/document/camera_moves.h"
+#include "editor/document/session.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace npsee::editor {
+namespace {
+
+SessionOptions waiting() { return {.library = {}, .wait_for_compile = true}; }
+
+void change(Session& session, double speed) { ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, "speed_mean"), speed).has_value()); }
+
+TEST(Playback, RunsLoopsAndStopsAtTheEnd) {
+  Playback playback;
+  playback.setDuration(2.0);
+  playback.speed = 0.5;
+  playback.advance(1.0);
+  EXPECT_DOUBLE_EQ(playback.time_s, 0.5);
+  playback.speed = 1.0;
+  playback.advance(2.0);
+  EXPECT_DOUBLE_EQ(playback.time_s, 0.5) << "loops";
+  playback.loop = false;
+  playback.advance(5.0);
+  EXPECT_DOUBLE_EQ(playback.time_s, 2.0);
+  EXPECT_FALSE(playback.playing);
+  playback.toggle();
+  EXPECT_DOUBLE_EQ(playback.time_s, 0.0) << "started at the end it begins anew";
+}
+
+TEST(Playback, StepsToAndFroMeetTheSameMoments) {
+  Playback playback;
+  playback.setDuration(10.0);
+  for (int i = 0; i < 100; ++i) playback.step(1);
+  const double there = playback.time_s;
+  playback.step(7);
+  playback.step(-7);
+  EXPECT_EQ(playback.time_s, there);
+  EXPECT_FALSE(playback.playing);
+  playback.seek(-3.0);
+  EXPECT_EQ(playback.time_s, 0.0);
+  playback.step(-1);
+  EXPECT_EQ(playback.time_s, 0.0);
+}
+
+TEST(Playback, NothingToPlayStaysAtZero) {
+  Playback playback;
+  playback.setDuration(0.0);
+  playback.advance(1.0);
+  EXPECT_EQ(playback.time_s, 0.0);
+}
+
+TEST(Session, EditingKeepsTheMomentAndRecompiles) {
+  Session session(waiting());
+  session.update(0.0);
+  ASSERT_NE(session.explosion(), nullptr);
+  session.playback.playing = false;
+  session.playback.seek(0.7);
+  session.update(0.0);
+  const Frame before = session.frame();
+  const render::Camera camera = session.camera;
+  change(session, 60.0);
+  session.update(0.0);
+  EXPECT_EQ(session.playback.time_s, 0.7);
+  EXPECT_NE(session.frame().y, before.y);
+  EXPECT_EQ(session.camera, camera) << "an edit moves no camera";
+}
+
+TEST(Session, AWindowShowsTheLastGoodPictureUntilTheNextIsReady) {
+  Session session({});
+  session.update(0.0);
+  const Explosion* first = session.explosion();
+  ASSERT_NE(first, nullptr) << "the first one is waited for";
+  ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, "count"), std::int64_t{400'000}).has_value());
+  session.update(0.0);
+  ASSERT_NE(session.explosion(), nullptr);
+  for (int i = 0; i < 100'000 && (session.compiling() || session.explosion() == first); ++i) session.update(0.0);
+  EXPECT_EQ(session.explosion()->particleCount(), 400'000u);
+}
+
+TEST(Session, UnsavedWorkIsAskedAboutBeforeItIsLost) {
+  Session session(waiting());
+  session.quit();
+  EXPECT_TRUE(session.quitting()) << "nothing to lose";
+
+  Session other(waiting());
+  change(other, 60.0);
+  other.quit();
+  EXPECT_EQ(other.asking(), Intent::quit);
+  EXPECT_FALSE(other.quitting());
+  other.answer(Answer::cancel);
+  EXPECT_EQ(other.asking(), Intent::none);
+  EXPECT_EQ(other.document.layer().speed_mean_mps, 60.0);
+  other.startNew();
+  EXPECT_EQ(other.document.layer().speed_mean_mps, 60.0) << "waits for the answer";
+  other.answer(Answer::discard);
+  EXPECT_NE(other.document.layer().speed_mean_mps, 60.0);
+  EXPECT_FALSE(other.document.dirty());
+}
+
+TEST(Session, SavingAsAnAnswerAsksForANameAndThenGoesOn) {
+  const test::TemporaryFolder folder;
+  Session session(waiting());
+  change(session, 60.0);
+  session.quit();
+  session.answer(Answer::save);
+  EXPECT_EQ(session.files.mode, FilePanel::Mode::save_as);
+  EXPECT_FALSE(session.quitting());
+  session.files.name = folder / "kept";
+  session.confirmFiles();
+  EXPECT_TRUE(session.quitting());
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept.npsee.json"));
+}
+
+TEST(Session, ClosingTheFilePanelLeavesTheQuestionOpen) {
+  Session session(waiting());
+  change(session, 60.0);
+  session.quit();
+  session.answer(Answer::save);
+  session.closeFiles();
+  EXPECT_EQ(session.asking(), Intent::quit);
+  session.answer(Answer::cancel);
+  EXPECT_FALSE(session.quitting());
+}
+
+TEST(Session, AFailedSaveKeepsTheQuestionAndTheWork) {
+  const test::TemporaryFolder folder;
+  Session session(waiting());
+  ASSERT_TRUE(session.document.saveAs(folder / "mine").has_value());
+  change(session, 60.0);
+  std::filesystem::remove_all(folder.path());
+  session.quit();
+  session.answer(Answer::save);
+  EXPECT_FALSE(session.quitting());
+  EXPECT_EQ(session.asking(), Intent::quit);
+  EXPECT_FALSE(session.notices.error.empty());
+  EXPECT_TRUE(session.document.dirty());
+}
+
+TEST(Session, AnUnreadableFileIsAMessageAndTheDocumentStays) {
+  Session session(waiting());
+  session.open("/no/such/file.npsee.json");
+  EXPECT_NE(session.notices.error.find("/no/such/file.npsee.json"), std::string::npos);
+  EXPECT_EQ(session.document.name(), "untitled");
+}
+
+TEST(Folder, ListsFoldersThenPresetsAndSaysWhatIsWrong) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"b.npsee.json", "a.npsee.json", "notes.txt", ".hidden.npsee.json"}) test::spill(folder / name, "{}");
+  std::filesystem::create_directory(folder / "z");
+  const FolderListing listing = listFolder(folder.path());
+  ASSERT_EQ(listing.entries.size(), 3u);
+  EXPECT_EQ(listing.entries[0].name, "z");
+  EXPECT_EQ(listing.entries[1].name, "a.npsee.json");
+  EXPECT_TRUE(listing.problem.empty());
+  EXPECT_FALSE(listFolder(folder / "missing").problem.empty());
+}
+
+TEST(CameraMoves, EachThesisKeyMovesOnePointAlongOneAxis) {
+  const render::Camera camera{{1, 2, 30}, {4, 5, 6}};
+  const double s = 2.0;
+  const struct { CameraKey key; Vec3 eye, target; } cases[] = {
+      {CameraKey::viewpoint_z_minus, {0, 0, -s}, {}}, {CameraKey::viewpoint_z_plus, {0, 0, s}, {}}, {CameraKey::viewpoint_x_plus, {s, 0, 0}, {}}, {CameraKey::viewpoint_x_minus, {-s, 0, 0}, {}},
+      {CameraKey::viewpoint_y_plus, {0, s, 0}, {}}, {CameraKey::viewpoint_y_minus, {0, -s, 0}, {}}, {CameraKey::reference_y_plus, {}, {0, s, 0}}, {CameraKey::reference_y_minus, {}, {0, -s, 0}},
+      {CameraKey::reference_x_minus, {}, {-s, 0, 0}}, {CameraKey::reference_x_plus, {}, {s, 0, 0}}};
+  for (const auto& [key, eye, target] : cases) {
+    const render::Camera to = moved(camera, key, s);
+    EXPECT_EQ(to.eye, camera.eye + eye);
+    EXPECT_EQ(to.target, camera.target + target);
+  }
+}
+
+TEST(CameraMoves, KeyStepsAreRoundAndFollowTheEffectsSize) {
+  EXPECT_DOUBLE_EQ(keyStep_m(20.0), 1.0);
+  EXPECT_DOUBLE_EQ(keyStep_m(45.0), 2.0);
+  EXPECT_DOUBLE_EQ(keyStep_m(100.0), 5.0);
+  EXPECT_DOUBLE_EQ(keyStep_m(2.0), 0.1);
+}
+
+TEST(CameraMoves, OrbitingKeepsDistanceAndNeverReachesThePole) {
+  render::Camera camera{{1, 20, 30}, {4, 5, 6}};
+  const double distance = length(camera.eye - camera.target);
+  for (int i = 0; i < 50; ++i) {
+    camera = orbited(camera, 0.3, 0.2);
+    EXPECT_NEAR(length(camera.eye - camera.target), distance, 1e-9);
+    EXPECT_LT(std::abs(camera.eye.y - camera.target.y), distance * 0.99999);
+  }
+}
+
+TEST(CameraMoves, DollyingKeepsThePlaceUnderThePointer) {
+  const render::Camera camera{{0, 0, 40}, {0, 0, 0}};
+  const double half = std::tan(0.5 * camera.fov_y_rad), x = 0.5, y = -0.25;
+  const Vec3 before{x * half * 40.0, y * half * 40.0, 0.0};
+  const render::Camera nearer = dollied(camera, 0.5, x, y);
+  EXPECT_NEAR(length(nearer.eye - nearer.target), 20.0, 1e-9);
+  EXPECT_NEAR(nearer.target.x + x * half * 20.0, before.x, 1e-9);
+  EXPECT_NEAR(nearer.target.y + y * half * 20.0, before.y, 1e-9);
+}
+
+TEST(CameraMoves, PanningShiftsBothPoints) {
+  const render::Camera camera{{0, 0, 40}, {0, 0, 0}};
+  const render::Camera to = panned(camera, 0.5, 0.0);
+  EXPECT_EQ(to.eye - to.target, camera.eye - camera.target);
+  EXPECT_LT(to.target.x, 0.0) << "the picture follows the pointer to the right";
+}
+
+}  // namespace
+}  // namespace npsee::editor
