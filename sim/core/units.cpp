@@ -44,6 +44,7 @@ UnitRow row(Unit unit) {
     case Unit::metre_per_second2: return {"m/s2", 1.0, kAccelerations};
     case Unit::second: return {"s", 1.0, kTimes};
     case Unit::degree: return {"deg", kDegree, kAngles};
+    case Unit::mil: return {"mil", kTwoPi / 6400.0, kAngles};
     case Unit::per_second: return {"1/s", 1.0, kRates};
     case Unit::per_metre: return {"per m, m2 or m3", 1.0, {}};
     case Unit::revolution_per_second: return {"rev/s", kTwoPi, kSpins};

@@ -21,6 +21,7 @@ enum class Unit {
   metre_per_second2,
   second,
   degree,            ///< radians inside
+  mil,               ///< 6400 to the circle; radians inside
   per_second,
   per_metre,
   revolution_per_second,  ///< rad/s inside

@@ -1,0 +1,24 @@
+// The kernels' whole code; compiled once per instruction set by kernel_*.cpp, everything in an unnamed namespace.
+
+#include "sim/ballistics/kernels.h"
+#include "sim/core/elementary.h"
+
+namespace npsee::ballistics {
+namespace {
+
+using namespace lanes;
+
+#include "sim/ballistics/atmosphere.inl"
+
+#include "sim/ballistics/forces.inl"
+
+#include "sim/ballistics/dormand_prince.inl"
+
+void flyMany(const Setup& setup, const ShotConstants* shots, Progress* progress, std::size_t count) {
+  flyFlock<Doubles>(setup, shots, progress, count, nullptr);
+}
+
+constexpr Kernels kKernels{flyMany};
+
+}  // namespace
+}  // namespace npsee::ballistics
