@@ -31,6 +31,29 @@ int chooseCommand(const CLI::App& app, std::vector<std::string>& arguments) {
   return npsee::exitCode(npsee::ErrorKind::usage);
 }
 
+/// Refuses a command line that does not parse. A mistyped option is named with the one it resembles, even where another that
+/// is required is missing too.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::string what = error.what();
+  for (const std::string& word : command.remaining()) {
+    if (!word.starts_with('-')) {
+      what = "\"" + word + "\" was not expected.";
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+      if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const auto near = npsee::nearest(word.substr(0, word.find('=')), views);
+    what = "there is no option " + word + '.' + (near ? " Did you mean " + std::string(*near) + "?" : "");
+    break;
+  }
+  std::fprintf(stderr, "%s\n  `npsee %s--help` shows how to call it.\n", npsee::printable(what).c_str(), chosen.empty() ? "" : (command.get_name() + ' ').c_str());
+  return npsee::exitCode(npsee::ErrorKind::usage);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -52,9 +75,7 @@ int main(int argc, char** argv) {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "%s\n  `npsee %s--help` shows how to call it.\n", npsee::printable(error.what()).c_str(),
-                 app.get_subcommands().empty() ? "" : (app.get_subcommands().front()->get_name() + ' ').c_str());
-    return npsee::exitCode(npsee::ErrorKind::usage);
+    return refuse(app, error);
   }
   return outcome.exit_code;
 }

@@ -31,6 +31,7 @@ Expected<Session> open(const RenderOptions& options) {
   for (const std::string& file : options.files) {
     auto preset = loadChosen({file, options.settings, options.seed});
     if (!preset) return tl::unexpected<Error>(preset.error());
+    if (auto layer = templateLayer(session.plan, *preset); !layer) return tl::unexpected<Error>(layer.error());
     session.presets.push_back(std::move(*preset));
   }
   auto names = OutputNames::make(options.output, options.files, session.plan.kind == RenderKind::sequence);
@@ -89,6 +90,7 @@ Expected<void> writeSheet(Session& session, const PictureJob& job, const std::ve
 Expected<void> writeTemplate(Session& session, std::size_t index, std::vector<fs::path>& written) {
   render::TemplateScene scene;
   scene.preset = &session.presets[index];
+  scene.layer = *templateLayer(session.plan, *scene.preset);
   scene.view = session.plan.view;
   scene.background = session.plan.background;
   auto image = session.renderer->drawToImage(scene, session.plan.width, session.plan.height);
@@ -139,6 +141,7 @@ void addRender(CLI::App& app, Outcome& outcome) {
   command->add_option("--sheet", options->sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions")->type_name("CxR");
   command->add_flag("--template", options->as_template, "Draw the template, the shape that shows the settings, instead of the explosion");
   command->add_option("--view", options->view, "The template's view: surface (default), polygons, splines")->type_name("VIEW");
+  command->add_option("--layer", options->layer, "The layer whose template is drawn, the first enabled one if left out")->type_name("NAME");
   addChangeOptions(*command, options->settings, options->seed);
   command->add_option("-j,--threads,--jobs", options->threads, "Threads for simulation and PNG; the pictures do not depend on it")->type_name("N");
   command->footer(
@@ -147,6 +150,7 @@ void addRender(CLI::App& app, Outcome& outcome) {
       "  npsee render presets/classic_1993.npsee.json -o frames/classic_%04d.png --frames 0:3 --fps 30\n"
       "  npsee render presets/classic_1993.npsee.json -o sheet.png --sheet 4x3\n"
       "  npsee render presets/classic_1993.npsee.json -o sprites.png --sheet 8x8 --size 128x128 --background transparent\n"
+      "  npsee render presets/classic_1993.npsee.json -o template.png --template --view splines\n"
       "  npsee render a.npsee.json b.npsee.json -o folder/ --set fragments.speed_mean=40 --camera \"eye=0,10,60 target=0,8,0\"");
   command->callback([options, &outcome] { outcome.exit_code = render(*options); });
 }

@@ -159,6 +159,7 @@ Expected<RenderKind> readKind(const RenderOptions& options) {
   const auto clash = [](const std::string& what, const std::string& remedy) { return fail(ErrorKind::usage, what, remedy); };
   const bool moving = !options.frames.empty() || !options.sheet.empty() || !options.fps.empty();
   if (!options.view.empty() && !options.as_template) return clash("--view is one of the template's views.", "Add --template.");
+  if (!options.layer.empty() && !options.as_template) return clash("--layer chooses whose template is drawn; a picture of the explosion shows all layers.", "Add --template.");
   if (options.as_template && (moving || !options.time.empty() || !options.camera.empty()))
     return clash("--template shows the settings, which have no time and no camera.", "Leave out --time, --frames, --fps, --sheet and --camera.");
   if (options.as_template) return RenderKind::template_view;
@@ -191,7 +192,22 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done && plan.kind == RenderKind::sequence) done = countFrames(options, plan);
   if (!done) return tl::unexpected<Error>(done.error());
   if (!options.camera.empty()) plan.camera = options.camera;
+  plan.layer = options.layer;
   return plan;
+}
+
+Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset) {
+  if (plan.kind != RenderKind::template_view) return 0;
+  if (preset.layers.empty()) return fail(ErrorKind::input, "the preset has no layer, so there is no template to draw.", "Add a layer to its \"layers\".");
+  if (plan.layer.empty()) {
+    const auto enabled = std::ranges::find(preset.layers, true, &Layer::enabled);
+    return enabled != preset.layers.end() ? static_cast<int>(enabled - preset.layers.begin()) : 0;
+  }
+  if (const int index = findLayer(preset, plan.layer); index >= 0) return index;
+  std::vector<std::string_view> names;
+  for (const Layer& layer : preset.layers) names.push_back(layer.name);
+  const auto near = nearest(plan.layer, names);
+  return refused("--layer", plan.layer, "the preset has no such layer." + (near ? " Did you mean " + std::string(*near) + "?" : std::string()), "Its layers are " + listed(names) + ".");
 }
 
 std::vector<Shot> shotsOf(const RenderPlan& plan, double duration_s) {

@@ -16,7 +16,7 @@ namespace npsee::commands {
 struct RenderOptions {
   std::vector<std::string> files;
   std::vector<std::string> settings;
-  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, threads;
+  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads;
   bool as_template = false;
 };
 
@@ -41,6 +41,7 @@ struct RenderPlan {
   FrameRate rate;
   std::int64_t first_frame = 0, frame_count = 0;  ///< of a sequence
   render::TemplateView view = render::TemplateView::surface;
+  std::string layer;  ///< whose template; empty = the first that is enabled
 };
 
 /// Limits, named in the messages.
@@ -51,6 +52,10 @@ inline constexpr int kMaxThreads = 256;
 
 /// Error kind usage for each option that cannot be meant.
 Expected<RenderPlan> makePlan(const RenderOptions& options);
+
+/// Index of the layer whose template the plan wants, 0 if it wants none. Error kind usage names the nearest layer, kind input a
+/// preset without layers.
+Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset);
 
 /// One picture to draw.
 struct Shot {

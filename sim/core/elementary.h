@@ -16,25 +16,25 @@ namespace elementary_detail {
 // 1.5 * 2^52: adding it rounds a double of moderate size to the nearest whole number, left in the low bits.
 constexpr double kRounder = 6755399441055744.0;
 
-NPSEE_KERNEL_INLINE double bitsToDouble(std::int64_t bits) { return std::bit_cast<double>(bits); }
-NPSEE_KERNEL_INLINE lanes::Doubles bitsToDouble(lanes::Masks bits) { return (lanes::Doubles)bits; }
-NPSEE_KERNEL_INLINE std::int64_t doubleToBits(double x) { return std::bit_cast<std::int64_t>(x); }
-NPSEE_KERNEL_INLINE lanes::Masks doubleToBits(lanes::Doubles x) { return (lanes::Masks)x; }
+NPSEE_KERNEL_INLINE double fromBits(std::int64_t bits) { return std::bit_cast<double>(bits); }
+NPSEE_KERNEL_INLINE std::int64_t bitsOf(double x) { return std::bit_cast<std::int64_t>(x); }
+using lanes::bitsOf;
+using lanes::fromBits;
 
-template <class T>
-NPSEE_KERNEL_INLINE T constant(double value) {
-  if constexpr (sizeof(T) == sizeof(double)) return value;
-  else return lanes::all(value);
-}
+/// True where bit 0 is set, made without a comparison of whole numbers, which baseline x86-64 lacks.
+NPSEE_KERNEL_INLINE bool isOdd(std::int64_t bits) { return (bits & 1) != 0; }
+template <class Bits>
+  requires(!std::is_integral_v<Bits>)
+NPSEE_KERNEL_INLINE Bits isOdd(Bits bits) { return -(bits & 1); }
 
 }  // namespace elementary_detail
 
 /// e^x for x in [-700, 700] (values outside are clamped to it). Relative error below 4e-16.
-/// T is double or lanes::Doubles.
+/// T is double, lanes::Doubles or lanes::Eight.
 template <class T>
 NPSEE_KERNEL_INLINE T exponential(T x) {
   using namespace elementary_detail;
-  const T low = constant<T>(-700.0), high = constant<T>(700.0);
+  const T low = lanes::filled<T>(-700.0), high = lanes::filled<T>(700.0);
   x = lanes::select(x < low, low, x);
   x = lanes::select(x > high, high, x);
   // x = n ln 2 + r with |r| <= 0.35; ln 2 in two parts, the first short enough that n times it is exact.
@@ -48,16 +48,16 @@ NPSEE_KERNEL_INLINE T exponential(T x) {
   const T p2 = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
   const T p3 = 1.0 / 479001600 + r * (1.0 / 6227020800);
   const T p = p0 + r4 * (p1 + r4 * (p2 + r4 * p3));
-  const auto exponent = (doubleToBits(shifted) + 1023) << 52;
-  return p * bitsToDouble(exponent);
+  const auto exponent = (bitsOf(shifted) + 1023) << 52;
+  return p * fromBits(exponent);
 }
 
 /// Natural logarithm of a positive normal number. Relative error below 4e-16 (absolute near 1).
 NPSEE_KERNEL_INLINE double logarithm(double x) {
   using namespace elementary_detail;
-  const std::int64_t bits = doubleToBits(x);
+  const std::int64_t bits = bitsOf(x);
   std::int64_t exponent = ((bits >> 52) & 0x7ff) - 1023;
-  double m = bitsToDouble((bits & 0x000fffffffffffffll) | 0x3ff0000000000000ll);
+  double m = fromBits((bits & 0x000fffffffffffffll) | 0x3ff0000000000000ll);
   if (m > 1.4142135623730951) {
     m *= 0.5;
     ++exponent;
@@ -71,7 +71,7 @@ NPSEE_KERNEL_INLINE double logarithm(double x) {
 }
 
 /// Sine and cosine of x, |x| up to 1e5. Absolute error below 3e-16 for |x| < 100.
-/// T is double or lanes::Doubles.
+/// T is double, lanes::Doubles or lanes::Eight.
 template <class T>
 NPSEE_KERNEL_INLINE void sineCosine(T x, T& sine, T& cosine) {
   using namespace elementary_detail;
@@ -82,11 +82,11 @@ NPSEE_KERNEL_INLINE void sineCosine(T x, T& sine, T& cosine) {
   const T r2 = r * r;
   const T s = r + r * r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 + r2 * (1.0 / 6227020800 + r2 * (-1.0 / 1307674368000)))))));
   const T c = 1.0 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600 + r2 * (-1.0 / 87178291200 + r2 * (1.0 / 20922789888000))))))));
-  const auto quadrant = doubleToBits(shifted);
-  const auto swapped = (quadrant & 1) != 0;
+  const auto quadrant = bitsOf(shifted);
+  const auto swapped = isOdd(quadrant);
   const auto sine_sign = (quadrant & 2) << 62, cosine_sign = ((quadrant + 1) & 2) << 62;
-  sine = bitsToDouble(doubleToBits(lanes::select(swapped, c, s)) ^ sine_sign);
-  cosine = bitsToDouble(doubleToBits(lanes::select(swapped, s, c)) ^ cosine_sign);
+  sine = fromBits(bitsOf(lanes::select(swapped, c, s)) ^ sine_sign);
+  cosine = fromBits(bitsOf(lanes::select(swapped, s, c)) ^ cosine_sign);
 }
 
 }  // namespace npsee

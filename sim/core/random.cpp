@@ -7,10 +7,16 @@
 #include <cmath>
 
 namespace npsee {
+namespace {
+
+// Blocks before this one are free for draws of whole layers and events.
+constexpr std::uint32_t kFirstBlock = 3;
+
+}  // namespace
 
 std::array<double, 4> uniformBlock(const ParticleIdentity& particle, std::uint32_t block) {
   // 24 bits of event are more than the bounce limit ever needs.
-  const r123::Philox4x32::ctr_type counter{{particle.index, particle.parent, (particle.event << 8) | block, particle.layer_stream}};
+  const r123::Philox4x32::ctr_type counter{{particle.index, particle.parent, (particle.event << 8) | (kFirstBlock + block), particle.layer_stream}};
   const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(particle.seed), static_cast<std::uint32_t>(particle.seed >> 32)}};
   const auto bits = r123::Philox4x32()(counter, key);
   std::array<double, 4> out;

@@ -19,6 +19,7 @@ struct Arc {
 static_assert(sizeof(Arc) == 44);
 
 constexpr int kChunkParticles = 1024;
+constexpr std::uint8_t kNoRest = 255;
 
 /// Compiled state of up to kChunkParticles particles of one layer.
 struct Chunk {
@@ -28,7 +29,7 @@ struct Chunk {
   std::vector<Arc> arcs;                 ///< all arcs, particle after particle; one spare at the end
   std::vector<std::uint32_t> first_arc;  ///< per particle
   std::vector<std::uint8_t> last_arc;    ///< per particle: number of its last arc
-  std::vector<std::uint8_t> rests;       ///< per particle: 1 if it lies still from its last arc on
+  std::vector<std::uint8_t> rest_arc;    ///< per particle: number of the arc from which it lies still, or kNoRest
 
   // Start times of arcs 1, 2, ... rounded down to float, four particles side by side, padded with infinity: where to look for
   // the arc of a given age.

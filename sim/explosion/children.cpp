@@ -47,7 +47,7 @@ ChildStart childStart(const CompiledLayer& parent, const ParentEvent& event, Tri
     case Trigger::death: age = life; break;
     case Trigger::path: {
       // A piece that lies still draws no path.
-      const double end = p.chunk.rests[index] ? arcOf(p, p.chunk.last_arc[index]).start_s : life;
+      const double end = p.chunk.rest_arc[index] != kNoRest ? arcOf(p, p.chunk.rest_arc[index]).start_s : life;
       age = path_part * end;
       break;
     }

@@ -100,7 +100,7 @@ void sizeChunk(Chunk& chunk, const LayerBuild& build) {
   if (build.own_births) chunk.birth_s.assign(padded, 0.0);
   chunk.first_arc.assign(padded, 0);
   chunk.last_arc.assign(padded, 0);
-  chunk.rests.assign(padded, 0);
+  chunk.rest_arc.assign(padded, kNoRest);
   chunk.first_row.assign(padded / 4 + 1, 0);
 }
 
@@ -126,7 +126,8 @@ void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, 
     chunk.rate_radps[at] = static_cast<float>(drawn.rate_radps);
   }
   // Lanes beyond the last particle fly nowhere and live no time.
-  for (std::size_t at = static_cast<std::size_t>(chunk.count); at < chunk.lifetime_s.size(); ++at)
+  const auto padded = static_cast<std::size_t>((chunk.count + lanes::kEight - 1) / lanes::kEight * lanes::kEight);
+  for (auto at = static_cast<std::size_t>(chunk.count); at < padded; ++at)
     for (double* values : {launches.x, launches.y, launches.z, launches.vx, launches.vy, launches.vz, launches.lifetime_s}) values[at] = 0.0;
 }
 
@@ -140,13 +141,13 @@ void liftToGround(const LayerBuild& build, int count, Launches& launches) {
   }
 }
 
-void findArcsOfFour(const LayerBuild& build, const Launches& from, int first, ArcRoom& room) {
+void findArcsOfEight(const LayerBuild& build, const Launches& from, int first, ArcRoom& room) {
   if (build.job.ground.flat()) {
     build.job.kernels.find_arcs(build.constants, from, first, room);
     return;
   }
   const LayerConstants& c = build.constants;
-  for (int lane = 0; lane < lanes::kLanes; ++lane) {
+  for (int lane = 0; lane < lanes::kEight; ++lane) {
     const int i = first + lane;
     room.last[lane] = 0;
     room.rests[lane] = false;
@@ -161,19 +162,22 @@ float roundedDown(double x) {
   return rounded > x ? std::nextafterf(rounded, 0.0f) : rounded;
 }
 
-void keepArcs(const ArcRoom& room, int four, Chunk& chunk, Scratch& scratch) {
+/// Keeps the arcs of the four particles whose lanes begin at `first_lane`.
+void keepArcs(const ArcRoom& room, int first_lane, int four, Chunk& chunk, Scratch& scratch) {
+  const int* last = room.last + first_lane;
   int rows = 0;
-  for (int lane = 0; lane < lanes::kLanes; ++lane) rows = std::max(rows, room.last[lane]);
+  for (int lane = 0; lane < lanes::kLanes; ++lane) rows = std::max(rows, last[lane]);
   for (int row = 1; row <= rows; ++row)
     for (int lane = 0; lane < lanes::kLanes; ++lane)
-      scratch.starts.push_back(row <= room.last[lane] ? roundedDown(room.arcs[lane][row].start_s) : std::numeric_limits<float>::infinity());
+      scratch.starts.push_back(row <= last[lane] ? roundedDown(room.arcs[first_lane + lane][row].start_s) : std::numeric_limits<float>::infinity());
   chunk.first_row[static_cast<std::size_t>(four) + 1] = static_cast<std::uint32_t>(scratch.starts.size() / 4);
   for (int lane = 0; lane < lanes::kLanes; ++lane) {
     const auto particle = static_cast<std::size_t>(4 * four + lane);
+    const Arc* arcs = room.arcs[first_lane + lane];
     chunk.first_arc[particle] = static_cast<std::uint32_t>(scratch.arcs.size());
-    chunk.last_arc[particle] = static_cast<std::uint8_t>(room.last[lane]);
-    chunk.rests[particle] = room.rests[lane] ? 1 : 0;
-    scratch.arcs.insert(scratch.arcs.end(), room.arcs[lane], room.arcs[lane] + room.last[lane] + 1);
+    chunk.last_arc[particle] = static_cast<std::uint8_t>(last[lane]);
+    chunk.rest_arc[particle] = room.rests[first_lane + lane] ? static_cast<std::uint8_t>(last[lane]) : kNoRest;
+    scratch.arcs.insert(scratch.arcs.end(), arcs, arcs + last[lane] + 1);
   }
 }
 
@@ -185,9 +189,10 @@ void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chun
   drawChunk(build, first_number, chunk, scratch.launches);
   liftToGround(build, chunk.count, scratch.launches);
   const int fours = static_cast<int>(chunk.lifetime_s.size() / 4);
-  for (int four = 0; four < fours; ++four) {
-    findArcsOfFour(build, scratch.launches, 4 * four, scratch.room);
-    keepArcs(scratch.room, four, chunk, scratch);
+  for (int four = 0; four < fours; four += 2) {
+    findArcsOfEight(build, scratch.launches, 4 * four, scratch.room);
+    keepArcs(scratch.room, 0, four, chunk, scratch);
+    if (four + 1 < fours) keepArcs(scratch.room, lanes::kLanes, four + 1, chunk, scratch);
   }
   scratch.arcs.push_back({});  // gathers read a little past the last arc
   chunk.arcs.assign(scratch.arcs.begin(), scratch.arcs.end());
@@ -198,7 +203,7 @@ void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chun
 
 std::size_t Chunk::bytes() const {
   const auto of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
-  return sizeof(Chunk) + of(arcs) + of(first_arc) + of(last_arc) + of(rests) + of(starts) + of(first_row) + of(birth_s) + of(lifetime_s) + of(size_m) + of(axis_x) + of(axis_y) +
+  return sizeof(Chunk) + of(arcs) + of(first_arc) + of(last_arc) + of(rest_arc) + of(starts) + of(first_row) + of(birth_s) + of(lifetime_s) + of(size_m) + of(axis_x) + of(axis_y) +
          of(axis_z) + of(phase_rad) + of(rate_radps);
 }
 
@@ -211,7 +216,7 @@ Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle
   const Arc& arc = first[number];
   const bool origin = number == 0;
   const Motion<double> m{arc.x + (origin ? c.origin_x : 0.0), arc.y + (origin ? c.origin_y : c.ground_y), arc.z + (origin ? c.origin_z : 0.0), arc.vx, arc.vy, arc.vz};
-  const double tau = chunk.rests[p] && number == chunk.last_arc[p] ? 0.0 : age - arc.start_s;
+  const double tau = number == chunk.rest_arc[p] ? 0.0 : age - arc.start_s;
   switch (c.flight.law) {
     case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(c.flight, m, tau);
     case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(c.flight, m, tau);

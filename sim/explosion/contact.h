@@ -8,15 +8,15 @@ namespace npsee::explosion {
 constexpr double kNever_s = 1e30;
 
 /// First time in (0, life] at which a particle starting `y` above flat ground with vertical velocity vy meets it, or kNever_s.
-/// y >= 0. T is double or Doubles; each lane's result is the same whatever stands in the others.
+/// y >= 0. T is double, Doubles or Eight; each lane's result is the same whatever stands in the others.
 ///
-/// The height's second derivative keeps its sign over an arc (a - k (vy - wy) at first, then only fading), so Newton's iteration
-/// runs monotonically into the root: from the right where the arc is concave, from the left where it is convex.
+/// The arc's vertical acceleration keeps its sign and only fades (a - k (vy - wy) at first). Where it is downward, the parabola with
+/// the present acceleration falls faster than the arc, so stepping to its root (Euler's third-order iteration) approaches the
+/// contact from before it and never passes; where it is upward, the tangent does (Newton). Both are monotonic and need no bracket.
 template <FlightLaw kLaw, class T>
 NPSEE_KERNEL_INLINE T contactTime(const Flight& f, T y, T vy, T life) {
-  using elementary_detail::constant;
   using lanes::select;
-  const T never = constant<T>(kNever_s), zero = constant<T>(0.0);
+  const T never = lanes::filled<T>(kNever_s), zero = lanes::filled<T>(0.0);
 
   if constexpr (kLaw == FlightLaw::ballistic) {
     const double g = -f.a;
@@ -32,39 +32,27 @@ NPSEE_KERNEL_INLINE T contactTime(const Flight& f, T y, T vy, T life) {
     }
     return select(tau <= life, tau, never);
   } else {
-    T end_height, end_speed;
-    fallen<kLaw, T>(f, y, vy, life, end_height, end_speed);
-    const T bend = f.a - f.k * (vy - f.wy);
-    const auto concave = bend <= 0.0;
-
-    // Concave: the end of life is right of the root if it is under ground; so are the tangent at the start of a fall and the
-    // parabola of the least curvature on the way.
-    T right = life;
-    const T tangent = y / select(vy < 0.0, -vy, constant<T>(1.0));
-    right = select(vy < 0.0, lanes::lesser(right, tangent), right);
-    const T least_bend = -bend * exponential(-f.k * right);
-    const T arch = (vy + lanes::squareRoot(vy * vy + 2.0 * least_bend * y)) / select(least_bend > 1e-12, least_bend, constant<T>(1.0));
-    right = select(least_bend > 1e-12, lanes::lesser(right, arch), right);
-    T tau = select(concave, right, zero);
-
-    auto active = (concave & (end_height <= 0.0)) | (~concave & (vy < 0.0));
+    T tau = zero, height = y, speed = vy, bend = f.a - f.k * (vy - f.wy);
     T found = never;
-    for (int step = 0; step < 80 && lanes::any(active); ++step) {
-      T height, speed;
-      fallen<kLaw, T>(f, y, vy, tau, height, speed);
-      // A convex arc that has stopped falling above ground never meets it.
-      const auto missed = ~concave & (speed >= 0.0) & (height > 0.0);
-      const T move = height / select(speed < 0.0, -speed, constant<T>(1e-300));
-      const T next = tau + move;
-      // Done when rounding has ended the monotonic approach.
-      const T size = select(move < 0.0, -move, move);
-      const auto settled = (size <= 4e-16 * tau) | (concave & (next >= tau)) | (~concave & (next <= tau));
-      found = select(active & settled & ~missed, tau, found);
-      active = active & ~settled & ~missed;
+    auto active = life > 0.0;
+    for (int step = 0; step < 100; ++step) {
+      const T fall = lanes::greater(-bend, zero);
+      const T root = lanes::squareRoot(speed * speed + 2.0 * fall * height);
+      // The two forms of the same root, each where it does not cancel; neither divides by zero where it is chosen.
+      const auto rising = speed > 0.0;
+      const T move = select(rising, speed + root, 2.0 * height) / select(rising, fall, root - speed);
+      // A piece on the ground that does not move has met it.
+      const T next = select((height <= 0.0) & (speed <= 0.0), tau, tau + move);
+      const auto settled = next <= tau * (1.0 + 4e-16);
+      found = select(active & settled, tau, found);
+      // Never: rising or hanging without a fall (a quotient beyond all bounds or 0/0), or later than the life lasts.
+      active = active & ~settled & (next <= life);
+      if (!lanes::any(active)) break;
       tau = select(active, next, tau);
+      fallen<kLaw, T>(f, y, vy, tau, height, speed);
+      bend = f.a - f.k * (speed - f.wy);
     }
-    found = select(active, tau, found);
-    return select(found <= life, found, never);
+    return found;
   }
 }
 

@@ -1,7 +1,21 @@
 // State of a chunk's particles at a time, four at a time. Part of a kernel (kernel.inl).
 
-/// Number of the arc each of four particles is on at `age`. Start times are compared as floats rounded down, so the answer is
-/// right or, within a rounding of a contact, one too high; the caller steps back by the exact times.
+/// Particles whose arcs are looked up together, so that memory is fetched ahead of the arithmetic.
+constexpr int kGroup = 64;
+
+/// Where the particles of a group are in their lives.
+struct Lookup {
+  alignas(32) double age[kGroup];           ///< clamped to 0..lifetime, s
+  alignas(16) std::int32_t number[kGroup];  ///< arc
+  const Arc* arc[kGroup];
+};
+
+NPSEE_KERNEL_INLINE Doubles sinceBirth(const LayerConstants& c, const Chunk& chunk, int p, double t) {
+  return t - (chunk.birth_s.empty() ? all(c.start_s) : load(chunk.birth_s.data() + p));
+}
+
+/// Number of the arc each of four particles is on. Start times are compared as floats rounded down, so the answer is right or,
+/// within a rounding of a contact, too high; gather() steps back by the exact times.
 NPSEE_KERNEL_INLINE Ints arcNumbers(const Chunk& chunk, int four, Doubles age) {
   const Floats rounded = narrow(age);
   Ints number = {0, 0, 0, 0};
@@ -11,39 +25,69 @@ NPSEE_KERNEL_INLINE Ints arcNumbers(const Chunk& chunk, int four, Doubles age) {
   return number;
 }
 
-/// Gathers the arcs of four particles; `tau` is the time since each began, zero for particles at rest.
+NPSEE_KERNEL_INLINE void lookUp(const LayerConstants& c, const Chunk& chunk, double t, int first_four, int fours, Lookup& out) {
+  const Arc* arcs = chunk.arcs.data();
+  for (int i = 0; i < fours; ++i) {
+    const int four = first_four + i;
+    const Doubles age = lesser(greater(sinceBirth(c, chunk, 4 * four, t), all(0.0)), load(chunk.lifetime_s.data() + 4 * four));
+    store(out.age + 4 * i, age);
+    const Ints number = arcNumbers(chunk, four, age);
+    std::memcpy(out.number + 4 * i, &number, sizeof number);
+    const Ints place = loadInts(chunk.first_arc.data() + 4 * four) + number;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Arc* arc = arcs + static_cast<std::uint32_t>(place[lane]);
+      out.arc[4 * i + lane] = arc;
+      __builtin_prefetch(arc);
+      __builtin_prefetch(reinterpret_cast<const char*>(arc) + sizeof(Arc) - 1);
+    }
+  }
+}
+
+/// The arcs of four particles; `tau` is the time since each began, zero for particles at rest.
 struct Gathered {
   Motion<Doubles> motion;
-  Doubles tau;
+  Doubles tau, start;
   Ints number;
+  Ints still;  ///< all ones where the particle is at rest
 };
 
-NPSEE_KERNEL_INLINE Gathered gather(const LayerConstants& c, const Chunk& chunk, int four, Doubles age) {
-  Gathered out;
-  out.number = arcNumbers(chunk, four, age);
-  const Arc* arcs[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const int particle = 4 * four + lane;
-    const Arc* arc = chunk.arcs.data() + chunk.first_arc[particle] + out.number[lane];
-    while (out.number[lane] > 0 && arc->start_s > age[lane]) {
-      --arc;
-      --out.number[lane];
+/// Steps back where rounding chose an arc that has not begun yet.
+__attribute__((noinline, cold, unused)) void stepBack(Lookup& look, int at) {
+  for (int lane = at; lane < at + kLanes; ++lane)
+    while (look.number[lane] > 0 && look.arc[lane]->start_s > look.age[lane]) {
+      --look.arc[lane];
+      --look.number[lane];
     }
-    arcs[lane] = arc;
-  }
-  Doubles start = load(&arcs[0]->start_s), vx = load(&arcs[1]->start_s), vy = load(&arcs[2]->start_s), vz = load(&arcs[3]->start_s);
+}
+
+NPSEE_KERNEL_INLINE void loadArcs(const Lookup& look, int at, Doubles& start, Doubles& vx, Doubles& vy, Doubles& vz) {
+  start = load(&look.arc[at]->start_s);
+  vx = load(&look.arc[at + 1]->start_s);
+  vy = load(&look.arc[at + 2]->start_s);
+  vz = load(&look.arc[at + 3]->start_s);
   transpose(start, vx, vy, vz);
+}
+
+NPSEE_KERNEL_INLINE Gathered gather(const LayerConstants& c, const Chunk& chunk, int four, Lookup& look, int at) {
+  const Doubles age = load(look.age + at), zero = all(0.0);
+  Doubles start, vx, vy, vz;
+  loadArcs(look, at, start, vx, vy, vz);
+  if (any(start > age)) [[unlikely]] {
+    stepBack(look, at);
+    loadArcs(look, at, start, vx, vy, vz);
+  }
   // The fourth float read is the next arc's or the spare one's, and not used.
-  Floats x = load(&arcs[0]->x), y = load(&arcs[1]->x), z = load(&arcs[2]->x), unused = load(&arcs[3]->x);
+  Floats x = load(&look.arc[at]->x), y = load(&look.arc[at + 1]->x), z = load(&look.arc[at + 2]->x), unused = load(&look.arc[at + 3]->x);
   transpose(x, y, z, unused);
 
-  const Masks first = __builtin_convertvector(out.number, Masks) == 0;
-  const Doubles zero = all(0.0);
+  Gathered out;
+  out.number = loadInts(look.number + at);
+  out.still = out.number == loadCounts(chunk.rest_arc.data() + 4 * four);
+  const Masks first = wideMask(out.number == 0);
   out.motion = {widen(x) + select(first, all(c.origin_x), zero), widen(y) + select(first, all(c.origin_y), all(c.ground_y)),
                 widen(z) + select(first, all(c.origin_z), zero), vx, vy, vz};
-  Ints still;
-  for (int lane = 0; lane < kLanes; ++lane) still[lane] = chunk.rests[4 * four + lane] & (out.number[lane] == chunk.last_arc[4 * four + lane]);
-  out.tau = select(__builtin_convertvector(still, Masks) != 0, zero, greater(age - start, zero));
+  out.start = start;
+  out.tau = select(wideMask(out.still), zero, age - start);
   return out;
 }
 
@@ -91,37 +135,25 @@ NPSEE_KERNEL_INLINE void orientation(const Chunk& chunk, int p, Doubles moving, 
   store(out.qw + at, cosine);
 }
 
-/// Time a particle has been tumbling: its age, but not beyond the moment it came to rest.
-NPSEE_KERNEL_INLINE Doubles timeMoving(const Chunk& chunk, int four, const Gathered& now, Doubles age) {
-  Doubles out = age;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const int particle = 4 * four + lane;
-    if (chunk.rests[particle] && now.number[lane] == chunk.last_arc[particle]) out[lane] = chunk.arcs[chunk.first_arc[particle] + chunk.last_arc[particle]].start_s;
-  }
-  return out;
-}
-
 template <FlightLaw kLaw, class Real>
-NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chunk, double t, int four, int at, const FrameView<Real>& out) {
+NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chunk, double t, int four, Lookup& look_up, int in_group, int at, const FrameView<Real>& out) {
   const int p = 4 * four;
-  const Doubles zero = all(0.0);
-  const Doubles life = load(chunk.lifetime_s.data() + p);
-  const Doubles since_birth = t - (chunk.birth_s.empty() ? all(c.start_s) : load(chunk.birth_s.data() + p));
-  const Masks alive = (since_birth >= 0.0) & (since_birth < life);
-  const Doubles age = lesser(greater(since_birth, zero), life);
-
-  const Gathered now = gather(c, chunk, four, age);
+  const Gathered now = gather(c, chunk, four, look_up, in_group);
   const Motion<Doubles> m = flown<kLaw, Doubles>(c.flight, now.motion, now.tau);
   store(out.x + at, m.x);
   store(out.y + at, m.y);
   store(out.z + at, m.z);
 
-  const Doubles alive_one = select(alive, all(1.0), zero);
-  const Doubles life_part = age / select(life > 0.0, life, all(1.0));
+  const Doubles life = load(chunk.lifetime_s.data() + p), age = load(look_up.age + in_group);
+  const Doubles since_birth = sinceBirth(c, chunk, p, t);
+  const Masks alive = (since_birth >= 0.0) & (since_birth < life);
+  const Doubles alive_one = select(alive, all(1.0), all(0.0));
+  storeCounts(out.alive + at, narrowMask(alive) & 1);
+  const bool curves = !c.size_over_life.empty() || (out.r && !(c.colour_over_life.empty() && c.opacity_over_life.empty()));
+  const Doubles life_part = curves ? age / select(life > 0.0, life, all(1.0)) : all(0.0);
   Doubles size = widen(load(chunk.size_m.data() + p)) * alive_one;
   if (!c.size_over_life.empty()) size = size * alongLife(c.size_over_life, life_part, [](const CurvePoint& point) { return point.value; });
   store(out.size + at, size);
-  for (int lane = 0; lane < kLanes; ++lane) out.alive[at + lane] = static_cast<std::uint8_t>(alive[lane] & 1);
 
   if (out.vx) {
     store(out.vx + at, m.vx);
@@ -129,12 +161,12 @@ NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chun
     store(out.vz + at, m.vz);
   }
   if (out.age) store(out.age + at, age);
-  if (out.bounces)
-    for (int lane = 0; lane < kLanes; ++lane) out.bounces[at + lane] = static_cast<std::uint8_t>(now.number[lane]);
+  if (out.bounces) storeCounts(out.bounces + at, now.number);
   if (!out.r && !out.qx) return;
   const Doubles phase = widen(load(chunk.phase_rad.data() + p));
   if (out.r) look(c, life_part, alive_one, phase, at, out);
-  if (out.qx) orientation(chunk, p, timeMoving(chunk, four, now, age), phase, at, out);
+  // A particle tumbles up to the moment it comes to rest.
+  if (out.qx) orientation(chunk, p, select(wideMask(now.still), now.start, age), phase, at, out);
 }
 
 /// The same frame pointers moved on, or into a small room for the last few particles, so that nothing behind them is touched.
@@ -161,12 +193,20 @@ struct Tail {
 
 template <FlightLaw kLaw, class Real>
 NPSEE_KERNEL_INLINE void evaluateChunk(const LayerConstants& c, const Chunk& chunk, double t, const FrameView<Real>& out) {
-  const int whole = chunk.count / kLanes;
-  for (int four = 0; four < whole; ++four) evaluateFour<kLaw>(c, chunk, t, four, kLanes * four, out);
-  if (const int rest = chunk.count - kLanes * whole; rest > 0) {
-    Tail<Real> tail;
-    evaluateFour<kLaw>(c, chunk, t, whole, 0, tail.view(out));
-    tail.copyOut(out, kLanes * whole, rest);
+  constexpr int kFours = kGroup / kLanes;
+  const int whole = chunk.count / kLanes, fours = (chunk.count + kLanes - 1) / kLanes;
+  Lookup looks[2];
+  lookUp(c, chunk, t, 0, std::min(kFours, fours), looks[0]);
+  for (int first = 0, turn = 0; first < fours; first += kFours, turn ^= 1) {
+    // One group ahead: its arcs travel here while this group is computed.
+    if (const int next = first + kFours; next < fours) lookUp(c, chunk, t, next, std::min(kFours, fours - next), looks[turn ^ 1]);
+    const int end = std::min(first + kFours, whole);
+    for (int four = first; four < end; ++four) evaluateFour<kLaw>(c, chunk, t, four, looks[turn], kLanes * (four - first), kLanes * four, out);
+    if (whole < fours && whole >= first && whole < first + kFours) {
+      Tail<Real> tail;
+      evaluateFour<kLaw>(c, chunk, t, whole, looks[turn], kLanes * (whole - first), 0, tail.view(out));
+      tail.copyOut(out, kLanes * whole, chunk.count - kLanes * whole);
+    }
   }
 }
 

@@ -1,8 +1,8 @@
-// Bounces over flat ground, four particles at a time. Part of a kernel (kernel.inl).
+// Bounces over flat ground, eight particles at a time: finding a contact is a long chain of dependent operations, so two fours run side by side. Part of a kernel (kernel.inl).
 
 /// Appends the arc that begins with `motion` (heights relative to `ground_y` after the first) in each active lane.
-NPSEE_KERNEL_INLINE void appendArcs(ArcRoom& room, Masks active, Doubles start, const Motion<Doubles>& m) {
-  for (int lane = 0; lane < kLanes; ++lane) {
+NPSEE_KERNEL_INLINE void appendArcs(ArcRoom& room, const EightMasks& active, const Eight& start, const Motion<Eight>& m) {
+  for (int lane = 0; lane < kEight; ++lane) {
     if (!active[lane]) continue;
     Arc& arc = room.arcs[lane][++room.last[lane]];
     arc.start_s = start[lane];
@@ -15,19 +15,19 @@ NPSEE_KERNEL_INLINE void appendArcs(ArcRoom& room, Masks active, Doubles start, 
   }
 }
 
-NPSEE_KERNEL_INLINE Doubles asFloats(Doubles x) { return widen(narrow(x)); }
+NPSEE_KERNEL_INLINE Eight asFloats(const Eight& x) { return {widen(narrow(x.low)), widen(narrow(x.high))}; }
 
 template <FlightLaw kLaw>
 NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& from, int first, ArcRoom& room) {
-  for (int lane = 0; lane < kLanes; ++lane) {
+  for (int lane = 0; lane < kEight; ++lane) {
     room.last[lane] = -1;
     room.rests[lane] = false;
   }
-  Motion<Doubles> m{load(from.x + first), load(from.y + first), load(from.z + first), load(from.vx + first), load(from.vy + first), load(from.vz + first)};
-  const Doubles life = load(from.lifetime_s + first);
-  const Doubles zero = all(0.0);
-  Masks active = zero == zero;
-  Doubles start = zero;
+  Motion<Eight> m{loadEight(from.x + first), loadEight(from.y + first), loadEight(from.z + first), loadEight(from.vx + first), loadEight(from.vy + first), loadEight(from.vz + first)};
+  const Eight life = loadEight(from.lifetime_s + first);
+  const Eight zero = filled<Eight>(0.0);
+  EightMasks active = zero == zero;
+  Eight start = zero;
   appendArcs(room, active, start, m);
   if (!c.collide) return;
 
@@ -36,17 +36,17 @@ NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& fro
   m.z += c.origin_z;
   m.y = greater(m.y + c.origin_y - c.ground_y, zero);
   for (int bounce = 0; bounce <= c.bounce_limit; ++bounce) {
-    const Doubles tau = contactTime<kLaw, Doubles>(c.flight, m.y, m.vy, life - start);
+    const Eight tau = contactTime<kLaw, Eight>(c.flight, m.y, m.vy, life - start);
     active = active & (tau < kNever_s);
     if (!any(active)) return;
-    const Motion<Doubles> hit = flown<kLaw, Doubles>(c.flight, m, select(active, tau, zero));
+    const Motion<Eight> hit = flown<kLaw, Eight>(c.flight, m, select(active, tau, zero));
     start = select(active, start + tau, start);
-    const Doubles up = -c.restitution * lesser(hit.vy, zero);
-    const Masks stays = (up < c.rest_speed_mps) | (all(bounce) >= (double)c.bounce_limit) | (up == 0.0);
+    const Eight up = -c.restitution * lesser(hit.vy, zero);
+    const EightMasks stays = (up < c.rest_speed_mps) | (filled<Eight>(bounce) >= static_cast<double>(c.bounce_limit)) | (up == 0.0);
     const double kept = 1.0 - c.friction;
     m = {asFloats(hit.x), zero, asFloats(hit.z), select(stays, zero, kept * hit.vx), select(stays, zero, up), select(stays, zero, kept * hit.vz)};
     appendArcs(room, active, start, m);
-    for (int lane = 0; lane < kLanes; ++lane) room.rests[lane] = room.rests[lane] || (active[lane] && stays[lane]);
+    for (int lane = 0; lane < kEight; ++lane) room.rests[lane] = room.rests[lane] || (active[lane] && stays[lane]);
     active = active & ~stays;
   }
 }

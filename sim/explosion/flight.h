@@ -25,7 +25,7 @@ struct Flight {
 // Below it the series holds to 1e-16 for any lifetime (z < 1); above it cancellation stays below 3e-8 m.
 constexpr double kWeakDrag_ps = 2e-4;
 
-/// One arc's starting state, as Doubles or double.
+/// One arc's starting state, as one number or lanes of them.
 template <class T>
 struct Motion {
   T x, y, z, vx, vy, vz;
@@ -35,7 +35,7 @@ struct Motion {
 template <class T>
 NPSEE_KERNEL_INLINE T weakDragSeries(T z) {
   // 16 terms: the first one left out is z^16/18! < 2e-16.
-  T sum = elementary_detail::constant<T>(1.0 / 355687428096000.0);  // 1/17!
+  T sum = lanes::filled<T>(1.0 / 355687428096000.0);  // 1/17!
   const double inverse_factorials[] = {1.0 / 20922789888000.0, 1.0 / 1307674368000.0, 1.0 / 87178291200.0, 1.0 / 6227020800.0, 1.0 / 479001600.0,
                                        1.0 / 39916800.0,       1.0 / 3628800.0,       1.0 / 362880.0,      1.0 / 40320.0,      1.0 / 5040.0,
                                        1.0 / 720.0,            1.0 / 120.0,           1.0 / 24.0,          1.0 / 6.0,          0.5};
@@ -71,7 +71,7 @@ NPSEE_KERNEL_INLINE Motion<T> flown(const Flight& f, const Motion<T>& m, T tau) 
 /// Height above the arc's start plus `y`, and vertical velocity: the part of flown() that finding a contact needs.
 template <FlightLaw kLaw, class T>
 NPSEE_KERNEL_INLINE void fallen(const Flight& f, T y, T vy, T tau, T& height, T& speed) {
-  const T zero = elementary_detail::constant<T>(0.0);
+  const T zero = lanes::filled<T>(0.0);
   const Motion<T> m = flown<kLaw, T>(f, {zero, y, zero, zero, vy, zero}, tau);
   height = m.y;
   speed = m.vy;

@@ -4,6 +4,7 @@
 #include "sim/explosion/contact.h"
 #include "sim/explosion/kernels.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace npsee::explosion {

@@ -22,19 +22,19 @@ struct LayerConstants {
   Curve opacity_over_life, size_over_life;
 };
 
-/// Launch states of a chunk, structure of arrays, padded to whole fours.
+/// Launch states of a chunk, structure of arrays, padded to whole eights.
 struct Launches {
   alignas(32) double x[kChunkParticles], y[kChunkParticles], z[kChunkParticles];  ///< relative to origin, each a float's value
   alignas(32) double vx[kChunkParticles], vy[kChunkParticles], vz[kChunkParticles];
   alignas(32) double lifetime_s[kChunkParticles];
 };
 
-/// Room for the arcs of four particles while they are found.
+/// Room for the arcs of eight particles while they are found.
 struct ArcRoom {
   static constexpr int kArcs = 66;  ///< launch, 64 bounces, rest
-  Arc arcs[lanes::kLanes][kArcs];
-  int last[lanes::kLanes];
-  bool rests[lanes::kLanes];
+  Arc arcs[lanes::kEight][kArcs];
+  int last[lanes::kEight];
+  bool rests[lanes::kEight];
 };
 
 /// Pointers into a frame for one chunk; null where a quantity is not wanted.
@@ -48,7 +48,7 @@ struct FrameView {
 struct Kernels {
   void (*evaluate)(const LayerConstants&, const Chunk&, double t_s, const FrameView<float>&);
   void (*evaluate_exact)(const LayerConstants&, const Chunk&, double t_s, const FrameView<double>&);
-  /// Arcs of launches [first, first + 4) over flat ground.
+  /// Arcs of launches [first, first + 8) over flat ground.
   void (*find_arcs)(const LayerConstants&, const Launches&, int first, ArcRoom&);
 };
 

@@ -76,6 +76,8 @@ ProcessResult run(const std::string& program, const std::vector<std::string>& ar
   return result;
 }
 
+std::string npseePath() { return NPSEE_BINARY; }
+
 ProcessResult npseeRun(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment) {
   return run(NPSEE_BINARY, arguments, environment);
 }

@@ -17,6 +17,9 @@ struct ProcessResult {
 ProcessResult run(const std::string& program, const std::vector<std::string>& arguments,
                   const std::map<std::string, std::string>& environment = {}, const std::string& folder = {});
 
+/// Path of the built `npsee`.
+std::string npseePath();
+
 /// Runs the built `npsee`.
 ProcessResult npseeRun(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment = {});
 
