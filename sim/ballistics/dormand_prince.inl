@@ -5,8 +5,6 @@
 
 NPSEE_KERNEL_INLINE double lane(double x, int) { return x; }
 NPSEE_KERNEL_INLINE double lane(const Doubles& x, int i) { return x[i]; }
-NPSEE_KERNEL_INLINE void setLane(double& x, int, double value) { x = value; }
-NPSEE_KERNEL_INLINE void setLane(Doubles& x, int i, double value) { x[i] = value; }
 
 // Source: Dormand and Prince 1980; Hairer, Norsett and Wanner, Solving ODEs I, table II.5.2.
 constexpr double kNodes[7] = {0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
@@ -23,7 +21,7 @@ constexpr double kLongestStep_s = 16.0, kShortestStep_s = 1e-6;
 
 /// x^(-1/5) to about 1e-4, from its bit pattern two steps of Newton's method, for the step size; x > 0.
 NPSEE_KERNEL_INLINE double inverseFifthRoot(double x) {
-  double z = elementary_detail::bitsToDouble(0x4cb8a66666666666ll - elementary_detail::doubleToBits(x) / 5);
+  double z = elementary_detail::fromBits(0x4cb8a66666666666ll - elementary_detail::bitsOf(x) / 5);
   for (int i = 0; i < 2; ++i) {
     const double z2 = z * z;
     z = z * (1.2 - 0.2 * x * (z2 * z2 * z));

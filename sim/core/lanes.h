@@ -77,6 +77,12 @@ NPSEE_KERNEL_INLINE Ints loadInts(const void* from) {
   std::memcpy(&out, from, sizeof out);
   return out;
 }
+/// Puts one number into a lane.
+template <class T>
+NPSEE_KERNEL_INLINE void setLane(T& x, int lane, double value) {
+  std::memcpy(reinterpret_cast<char*>(&x) + sizeof(double) * static_cast<std::size_t>(lane), &value, sizeof value);
+}
+
 NPSEE_KERNEL_INLINE Eight loadEight(const double* from) { return {load(from), load(from + kLanes)}; }
 NPSEE_KERNEL_INLINE void store(double* to, Doubles x) { std::memcpy(to, &x, sizeof x); }
 NPSEE_KERNEL_INLINE void store(float* to, Doubles x) {
