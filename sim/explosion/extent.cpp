@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kSampledParticles = 1000;
 constexpr int kSampledAges = 24;
-constexpr double kStray = 0.01;
+constexpr double kStray = 0.025;
 
 /// The values below and above which only strays lie.
 std::pair<double, double> withoutStrays(std::vector<double>& values) {
@@ -19,6 +19,11 @@ std::pair<double, double> withoutStrays(std::vector<double>& values) {
   return {least, *high};
 }
 
+/// Age up to which a particle makes the picture: what hops on after its second contact would only push the camera away.
+double untilSecondContact(const Chunk& chunk, std::size_t particle) {
+  return chunk.last_arc[particle] >= 2 ? chunk.arcs[chunk.first_arc[particle] + 2].start_s : chunk.lifetime_s[particle];
+}
+
 }  // namespace
 
 Extent extentOf(const std::vector<CompiledLayer>& layers, const Vec3& burst) {
@@ -28,9 +33,9 @@ Extent extentOf(const std::vector<CompiledLayer>& layers, const Vec3& burst) {
     for (std::size_t number = 0; number < layer.count; number += stride) {
       const Chunk& chunk = layer.chunks[number / kChunkParticles];
       const auto particle = static_cast<int>(number % kChunkParticles);
-      const double life = chunk.lifetime_s[static_cast<std::size_t>(particle)];
+      const double end = untilSecondContact(chunk, static_cast<std::size_t>(particle));
       for (int sample = 0; sample < kSampledAges; ++sample) {
-        const Motion<double> m = stateOf(layer.constants, chunk, particle, life * sample / (kSampledAges - 1));
+        const Motion<double> m = stateOf(layer.constants, chunk, particle, end * sample / (kSampledAges - 1));
         x.push_back(m.x);
         y.push_back(m.y);
         z.push_back(m.z);

@@ -151,7 +151,7 @@ TEST(Bounce, APieceThrownDownFasterThanItFallsLandsOnce) {
   layer.directionality = Directionality::cone;
   layer.direction = {0, -1, 0};
   layer.ejection_angle_rad = 0.0;
-  layer.drag_ps = 3.0;  // terminal velocity 3.3 m/s, launched at 25
+  layer.drag_ps = 3.0;  // terminal velocity 3.3 m/s, launched at 15
   const ExactFrame now = exactAt(*compiled(preset), 90.0);
   EXPECT_EQ(now.bounces[0], 1);
   EXPECT_EQ(now.y[0], 0.0);
@@ -194,14 +194,14 @@ TEST(Bounce, OnASlopeTheVelocityTurnsAboutTheNormal) {
   layer.speed_deviation_mps = 0.0;
   const Slope slope;
   const auto explosion = compiled(preset, &slope);
-  // Straight up and down again at 25 m/s, onto ground that falls towards east.
-  const double back = 2.0 * 25.0 / g;
+  // Straight up and down again at 15 m/s, onto ground that falls towards east.
+  const double back = 2.0 * 15.0 / g;
   const ExactFrame after = exactAt(*explosion, back + 1e-9);
   ASSERT_EQ(after.bounces[0], 1);
   const double n = 1.0 / std::sqrt(1.25), nx = 0.5 * n, ny = n;
-  const double towards = -25.0 * ny, away = -0.5 * towards;
+  const double towards = -15.0 * ny, away = -0.5 * towards;
   EXPECT_NEAR(after.vx[0], 0.75 * (0.0 - towards * nx) + away * nx, 1e-6);
-  EXPECT_NEAR(after.vy[0], 0.75 * (-25.0 - towards * ny) + away * ny, 1e-6);
+  EXPECT_NEAR(after.vy[0], 0.75 * (-15.0 - towards * ny) + away * ny, 1e-6);
 }
 
 TEST(Bounce, OverHillsNothingIsEverUnderTheGround) {
