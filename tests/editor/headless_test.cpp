@@ -79,11 +79,11 @@ drag fragments.speed_mean 20
 expect undo = 2
 key ctrl+Z
 key ctrl+Z
-expect fragments.ejection_angle = 52deg
-expect fragments.speed_mean = 25
+expect fragments.ejection_angle = 50deg
+expect fragments.speed_mean = 15
 expect dirty = no
 key ctrl+shift+Z
-expect fragments.ejection_angle > 52
+expect fragments.ejection_angle > 50
 click menu:Edit
 click item:Redo
 expect undo = 2
