@@ -24,7 +24,7 @@ class RendererPictures final : public Pictures {
     return id(renderer_.drawToTexture(scene, session.camera, width, height, 0));
   }
 
-  ImTextureID shape(const Session& session, int width, int height) override {
+  ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) override {
     if (!enabled || !session.document.hasLayer()) return nullptr;
     render::TemplateScene scene;
     scene.preset = &session.document.preset();
@@ -33,6 +33,8 @@ class RendererPictures final : public Pictures {
     scene.yaw_rad = session.template_yaw_rad;
     scene.pitch_rad = session.template_pitch_rad;
     scene.background = {render::Background::Kind::colour, background};
+    scene.handles = true;
+    scene.active = active;
     return id(renderer_.drawToTexture(scene, width, height, 1));
   }
 

@@ -91,11 +91,10 @@ Expected<int> runHeadless(const HeadlessOptions& options, const std::function<vo
   if (!editor) return tl::unexpected<Error>(editor.error());
   const Surface surface(options.width, options.height);
 
-  // Sizes settle in the second frame and the camera frames the effect in the first that has one.
+  // Sizes settle in the second frame, and the camera with them.
   for (int i = 0; i < 3; ++i)
     if (auto done = step(**editor, surface, {}); !done) return tl::unexpected<Error>(done.error());
   if (!options.editor.time_s) (*editor)->session().playback.seek(0.0);
-  (*editor)->session().frameAll();
   ScriptRunner runner(std::move(*commands), options.script.string(), print);
   while (true) {
     const auto more = runner.next(**editor);

@@ -20,7 +20,7 @@ Columns columnsOf(const PanelContext& ui, float width) {
   const bool left = ui.state.show_left || ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help;
   const float wish = ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help ? std::max(ui.state.left_width, 300.0f) : ui.state.left_width;
   if (left) out.left = std::floor(std::clamp(ui.px(wish), ui.px(180), std::max(ui.px(180), 0.26f * width)));
-  if (ui.state.show_right) out.right = std::floor(std::clamp(ui.px(ui.state.right_width), ui.px(290), std::max(ui.px(290), 0.34f * width)));
+  if (ui.state.show_right) out.right = std::floor(std::clamp(ui.px(ui.state.right_width), ui.px(290), std::max(ui.px(290), 0.36f * width)));
   out.middle = width - out.left - out.right - ui.px(kBar) * static_cast<float>((left ? 1 : 0) + (ui.state.show_right ? 1 : 0));
   return out;
 }
@@ -89,7 +89,7 @@ void drawRegions(const PanelContext& ui) {
   x += columns.middle;
   if (columns.right > 0.0f) {
     ui.state.right_width -= splitter(ui, "splitter:right", {x, at.y}, {bar, height}, true);
-    ui.state.right_width = std::clamp(ui.state.right_width, 290.0f, std::max(290.0f, 0.34f * room.x / ui.scale));
+    ui.state.right_width = std::clamp(ui.state.right_width, 290.0f, std::max(290.0f, 0.36f * room.x / ui.scale));
     drawRight(ui, {x + bar, at.y}, {columns.right, height});
   }
   panel(ui, "time line", {at.x, at.y + height}, {room.x, time_height}, drawTimeLine);

@@ -1,30 +1,20 @@
 #include "editor/editor.h"
+#include "editor/window_input.h"
 
 #include <glad/gl.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <backends/imgui_impl_glfw.h>
-
 #include <algorithm>
 
 namespace npsee::editor {
 namespace {
 
-/// ImGui's input from a window; ended before the window is.
-class WindowInput {
- public:
-  explicit WindowInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
-  ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
-  WindowInput(const WindowInput&) = delete;
-  WindowInput& operator=(const WindowInput&) = delete;
-};
-
 /// Draws one frame into the window and returns its time without waiting for the display, ms.
-float drawFrame(Editor& editor, GLFWwindow* window, std::optional<float> last_ms) {
+float drawFrame(Editor& editor, WindowInput& input, GLFWwindow* window, std::optional<float> last_ms) {
   const double start = glfwGetTime();
-  ImGui_ImplGlfw_NewFrame();
+  input.newFrame();
   ImGui::NewFrame();
   // A pause of the machine is not a jump of the effect.
   editor.frame(std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1), last_ms, true);
@@ -39,18 +29,18 @@ float drawFrame(Editor& editor, GLFWwindow* window, std::optional<float> last_ms
   return ms;
 }
 
-void runLoop(Editor& editor, GLFWwindow* window) {
+void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
   std::string title;
   std::optional<float> ms;
   while (!editor.session().quitting()) {
     // While nothing moves by itself, a frame is drawn for input, and now and then for tooltips and clicks that wait.
-    if (editor.session().playback.playing || editor.session().compiling()) glfwPollEvents();
+    if (editor.session().playback.playing || editor.session().compiling() || input.waiting()) glfwPollEvents();
     else glfwWaitEventsTimeout(0.05);
     if (glfwWindowShouldClose(window) != GLFW_FALSE) {
       glfwSetWindowShouldClose(window, GLFW_FALSE);
       editor.session().quit();
     }
-    const float measured = drawFrame(editor, window, ms);
+    const float measured = drawFrame(editor, input, window, ms);
     ms = ms ? *ms + 0.1f * (measured - *ms) : measured;
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
   }
@@ -64,14 +54,14 @@ Expected<void> runWindow(const WindowedOptions& options, const std::function<voi
   (*context)->makeCurrent();
   GLFWwindow* window = (*context)->window();
   const UiHost host;
-  const WindowInput input(window);
+  WindowInput input(window);
   EditorOptions chosen = options.editor;
   float across = 1.0f, down = 1.0f;
   glfwGetWindowContentScale(window, &across, &down);
   chosen.scale *= std::clamp(across, 1.0f, 4.0f);
   auto editor = Editor::create(chosen);
   if (!editor) return tl::unexpected<Error>(editor.error());
-  runLoop(**editor, window);
+  runLoop(**editor, input, window);
   if (options.print_state)
     for (const auto& [name, value] : (*editor)->facts()) print(name + '=' + value);
   return {};

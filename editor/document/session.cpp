@@ -45,7 +45,15 @@ void Session::takeCompiled() {
 }
 
 void Session::frameAll() {
-  if (explosion_) camera = render::framing(explosion_->extent(), aspect_);
+  if (!explosion_) return;
+  framed_extent_ = explosion_->extent();
+  framed_ = camera = render::framing(framed_extent_, aspect_);
+}
+
+void Session::setAspect(double aspect) {
+  if (aspect == aspect_) return;
+  aspect_ = aspect;
+  if (framed_ && camera == *framed_) framed_ = camera = render::framing(framed_extent_, aspect_);
 }
 
 double Session::radius_m() const { return explosion_ ? std::max(explosion_->extent().radius_m(), 0.1) : 20.0; }

@@ -60,9 +60,10 @@ class Session {
   std::size_t alive() const { return alive_; }
   bool compiling() const { return compiler_.busy(); }
 
-  /// Puts the whole effect into view; `aspect` is the viewport's width over height, used from now on.
+  /// Puts the whole effect into view.
   void frameAll();
-  void setAspect(double aspect) { aspect_ = aspect; }
+  /// Width over height of the viewport. The effect stays framed in the new shape if nobody has moved the camera since.
+  void setAspect(double aspect);
   /// Radius by which keyboard steps are sized, m.
   double radius_m() const;
 
@@ -104,6 +105,8 @@ class Session {
   std::uint64_t requested_revision_ = 0;
   bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not
   double aspect_ = 1.6;
+  Extent framed_extent_;
+  std::optional<render::Camera> framed_;  ///< what frameAll last set
   Intent intent_ = Intent::none;
   std::filesystem::path intent_path_;
   bool proceed_after_save_ = false;

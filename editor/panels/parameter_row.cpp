@@ -134,8 +134,10 @@ void vectorRow(const PanelContext& ui, const Row& row) {
   }
 }
 
-void drawTooltip(const PanelContext& ui, const Row& row) {
+/// Stands left of the panel, so that it hides neither the row nor its neighbours.
+void drawTooltip(const PanelContext& ui, const Row& row, const ImVec2& beside) {
   const Parameter& p = row.parameter;
+  ImGui::SetNextWindowPos({beside.x - ui.px(16), beside.y}, ImGuiCond_Always, {1.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(330));
@@ -177,7 +179,7 @@ void drawWidget(const PanelContext& ui, const Row& row) {
 void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(longText(parameter) ? 78 : 26), mark = ui.px(20);
-  const float label_width = std::floor(std::clamp(0.36f * width, ui.px(96), ui.px(150)));
+  const float label_width = std::floor(std::clamp(0.405f * width, ui.px(96), ui.px(152)));
   Row row{parameter, parameterName(ui.session.document, parameter), ui.session.document.value(parameter), false, {}};
   row.changed = row.value != parameter.initial;
   row.control = {{at.x + label_width, at.y}, width - label_width - mark, height};
@@ -186,7 +188,7 @@ void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
   ImGui::InvisibleButton(("row:" + row.name).c_str(), ImVec2(label_width, ui.px(26)));
   ui.item("row:" + row.name);
   rowText(at, label_width - ui.px(8), ui.px(26), ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, std::string(parameter.label));
-  if (ui.resting(row.name, std::string(parameter.doc))) drawTooltip(ui, row);
+  if (ui.resting(row.name, std::string(parameter.doc))) drawTooltip(ui, row, at);
   if (ImGui::BeginPopupContextItem(("menu:" + row.name).c_str())) {
     drawRowMenu(ui, row);
     ImGui::EndPopup();

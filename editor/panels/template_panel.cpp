@@ -1,3 +1,4 @@
+#include "app/render/template_camera.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
@@ -9,6 +10,7 @@
 namespace npsee::editor {
 namespace {
 
+using render::TemplateHandle;
 using render::TemplateView;
 
 struct ViewName {
@@ -17,6 +19,25 @@ struct ViewName {
 };
 // The three entries of the thesis's right mouse menu.
 constexpr std::array kViews{ViewName{TemplateView::splines, "Splines"}, ViewName{TemplateView::polygons, "Polygons"}, ViewName{TemplateView::surface, "Surface"}};
+constexpr std::array kHandles{std::pair{TemplateHandle::rim, "handle:rim"}, std::pair{TemplateHandle::top, "handle:top"}, std::pair{TemplateHandle::foot, "handle:foot"}};
+
+/// The shape as it stands in the panel.
+struct Pose {
+  Box box;
+  render::TemplateShape shape;
+  render::TemplateCamera camera;
+
+  std::pair<double, double> pointer() const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return {static_cast<double>(mouse.x - box.at.x), static_cast<double>(mouse.y - box.at.y)};
+  }
+  const Parameter& parameter(TemplateHandle which) const { return *findParameter(Scope::layer, render::parameterOf(which, shape)); }
+};
+
+Pose poseOf(const Session& session, const Box& box) {
+  const render::TemplateShape shape = render::templateShape(session.document.preset(), session.document.selected());
+  return {box, shape, render::TemplateCamera(shape, session.template_yaw_rad, session.template_pitch_rad, static_cast<int>(box.width), static_cast<int>(box.height))};
+}
 
 void drawViewMenu(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
@@ -31,14 +52,52 @@ void drawViewMenu(const PanelContext& ui) {
 }
 
 void turn(const PanelContext& ui) {
-  if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   Session& session = ui.session;
   session.template_yaw_rad -= 0.01 * static_cast<double>(moved.x / ui.scale);
   session.template_pitch_rad = std::clamp(session.template_pitch_rad + 0.01 * static_cast<double>(moved.y / ui.scale), -0.2, 1.5);
 }
 
-const char* nameOf(TemplateView view) { return kViews[static_cast<std::size_t>(view)].name; }
+/// Three significant digits in the unit people read: what a hand can place.
+double roundedFor(const Parameter& parameter, double si) {
+  const double shown = toUnit(parameter.unit, si);
+  if (shown == 0.0) return si;
+  const double places = std::pow(10.0, 2.0 - std::floor(std::log10(std::abs(shown))));
+  return toSi(parameter.unit, std::round(shown * places) / places);
+}
+
+/// Drags a handle: its parameter follows the pointer, one drag being one undo step.
+void pull(const PanelContext& ui, const Pose& pose) {
+  const Parameter& parameter = pose.parameter(ui.state.handle);
+  const auto [x, y] = pose.pointer();
+  const double value = roundedFor(parameter, pose.camera.dragged(pose.shape, ui.state.handle, x, y));
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) ui.session.took(ui.session.document.assign(parameter, value, "template handle"));
+}
+
+/// The value beside the pointer while a handle is held or pointed at.
+void drawValue(const PanelContext& ui, const Pose& pose, TemplateHandle which) {
+  const Parameter& parameter = pose.parameter(which);
+  const std::string text = std::string(parameter.label) + "  " + shortNumber(toUnit(parameter.unit, std::get<double>(ui.session.document.value(parameter)))) + ' ' + std::string(symbol(parameter.unit));
+  const float inset = ui.px(10), height = ui.px(24);
+  ImGui::GetWindowDrawList()->AddRectFilled({pose.box.at.x + ui.px(4), pose.box.end().y - height - ui.px(4)}, {pose.box.right() - ui.px(4), pose.box.end().y - ui.px(4)}, ui.theme.raised, ui.px(4));
+  rowText({pose.box.at.x + inset, pose.box.end().y - height - ui.px(4)}, pose.box.width - 2.0f * inset, height, ui.theme.accent, text);
+}
+
+void interact(const PanelContext& ui, const Pose& pose) {
+  const bool held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left), hovered = ImGui::IsItemHovered();
+  for (const auto& [which, name] : kHandles) {
+    if (!pose.shape.hasHandle(which)) continue;
+    const auto at = pose.camera.project(pose.shape.handle(which, pose.camera.azimuth()));
+    const ImVec2 centre{pose.box.at.x + static_cast<float>(at.x), pose.box.at.y + static_cast<float>(at.y)};
+    ui.item(name, {centre.x - ui.px(5), centre.y - ui.px(5)}, {centre.x + ui.px(5), centre.y + ui.px(5)});
+  }
+  const auto [x, y] = pose.pointer();
+  if (ImGui::IsItemActivated() || (!held && hovered)) ui.state.handle = pose.camera.handleNear(pose.shape, x, y, static_cast<double>(ui.px(10)));
+  else if (!held) ui.state.handle = TemplateHandle::none;
+  if (ui.state.handle != TemplateHandle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (held && ui.state.handle == TemplateHandle::none) turn(ui);
+  if (held && ui.state.handle != TemplateHandle::none && pose.shape.hasHandle(ui.state.handle)) pull(ui, pose);
+}
 
 }  // namespace
 
@@ -48,19 +107,21 @@ void drawTemplatePanel(const PanelContext& ui) {
   const Box box{ImGui::GetCursorScreenPos(), std::max(std::floor(room.x), 1.0f), std::max(std::floor(room.y), 1.0f)};
   ImGui::InvisibleButton("template", ImVec2(box.width, box.height));
   ui.item("template");
-  turn(ui);
-  if (ui.resting("template", "The shape of the selected layer's launch. Drag turns it, the right button chooses splines, polygons or surface.")) {}
-  drawViewMenu(ui);
+  ui.resting("template", "The shape of the selected layer's launch. Drag its dots to change it, drag beside them to turn it; the right button chooses the view.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(box.at, box.end(), ui.theme.background, ui.px(4));
   if (!ui.session.document.hasLayer()) {
     rowText({box.at.x + ui.px(12), box.at.y}, box.width - ui.px(24), box.height, ui.theme.dim, "A layer gives it a shape.");
     return;
   }
-  if (const ImTextureID texture = ui.pictures.shape(ui.session, static_cast<int>(box.width), static_cast<int>(box.height)))
+  interact(ui, poseOf(ui.session, box));
+  drawViewMenu(ui);
+  if (const ImTextureID texture = ui.pictures.shape(ui.session, ui.state.handle, static_cast<int>(box.width), static_cast<int>(box.height)))
     list.AddImageRounded(texture, box.at, box.end(), {0, 1}, {1, 0}, IM_COL32_WHITE, ui.px(4));
   ImGui::PushFont(ui.fonts.small);
-  rowText({box.at.x + ui.px(10), box.at.y + ui.px(2)}, box.width - ui.px(20), ui.px(22), ui.theme.dim, ui.session.document.layer().name + ", " + std::string(nameOf(ui.session.template_view)));
+  rowText({box.at.x + ui.px(10), box.at.y + ui.px(2)}, box.width - ui.px(20), ui.px(22), ui.theme.dim, ui.session.document.layer().name + ", " + kViews[static_cast<std::size_t>(ui.session.template_view)].name);
+  const Pose now = poseOf(ui.session, box);
+  if (ui.state.handle != TemplateHandle::none && now.shape.hasHandle(ui.state.handle)) drawValue(ui, now, ui.state.handle);
   ImGui::PopFont();
 }
 

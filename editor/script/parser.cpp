@@ -24,7 +24,7 @@ constexpr std::array<ScriptCommandInfo, 17> kCommands{{
     {"save", "PICTURE.png", 1, 1, "Saves a picture of the whole window."},
     {"note", "", 0, 0, "Remembers all facts, to be compared with later."},
     {"expect", "FACT OP VALUE | visible ITEM | hidden ITEM", 2, 3, "Ends the run with exit code 1 unless it holds. OP is = != < > <= >= or contains; `noted` stands for the fact's value at the last note."},
-    {"print", "FACT", 1, 1, "Writes FACT=VALUE to standard output; `all` writes every fact, `items` the names of the items."},
+    {"print", "FACT", 1, 1, "Writes FACT=VALUE to standard output; `all` writes every fact, `items` the places and names of the items."},
 }};
 
 const ScriptCommandInfo* findCommand(std::string_view name) {

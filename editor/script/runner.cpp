@@ -28,7 +28,7 @@ int buttonOf(const ScriptCommand& command) {
 
 /// Prefixes under which a command looks for a name that is no item's full name.
 std::vector<std::string> prefixesFor(const std::string& command) {
-  if (command == "drag") return {"", "thumb:", "number:", "splitter:"};
+  if (command == "drag") return {"", "thumb:", "number:", "splitter:", "handle:"};
   if (command == "rightclick" || command == "hover") return {"", "row:", "button:", "layer:"};
   if (command == "doubleclick") return {"", "value:", "number:", "layer:"};
   return {"", "button:", "menu:", "item:", "toggle:", "choice:", "colour:", "text:", "life:", "layer:", "row:"};
@@ -271,7 +271,7 @@ Expected<ScriptRunner::Progress> ScriptRunner::expect(Editor& editor, const Scri
 Expected<ScriptRunner::Progress> ScriptRunner::print(Editor& editor, const ScriptCommand& command) {
   const std::string& name = command.arguments[0];
   if (name == "items") {
-    for (const Items::Item& item : editor.items().all()) print_((item.visible ? "item " : "hidden ") + item.name);
+    for (const Items::Item& item : editor.items().all()) print_((item.visible ? "item " : "hidden ") + shortest(std::round(item.centre().x)) + ',' + shortest(std::round(item.centre().y)) + ' ' + item.name);
   } else if (name == "all") {
     for (const auto& [known, value] : editor.facts()) print_(known + '=' + value);
   } else if (const auto value = fact(editor, name)) {

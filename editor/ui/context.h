@@ -19,12 +19,12 @@ class Pictures {
   virtual ~Pictures() = default;
   /// Texture of the explosion (template) drawn at that size in pixels, origin lower left; null when nothing was drawn.
   virtual ImTextureID explosion(const Session& session, int width, int height) = 0;
-  virtual ImTextureID shape(const Session& session, int width, int height) = 0;
+  virtual ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) = 0;
 };
 
 /// What the widgets remember from frame to frame. Panels have no other state.
 struct UiState {
-  float left_width = 252, right_width = 372, template_height = 330;  ///< unscaled pixels
+  float left_width = 252, right_width = 396, template_height = 330;  ///< unscaled pixels
   bool show_left = true, show_right = true, show_help = false, light = false;
   std::string search;
   std::set<Section> folded{Section::about, Section::layer, Section::hierarchy};
@@ -65,6 +65,7 @@ struct UiState {
   std::string typed_error;
 
   std::set<std::string> unfolded;  ///< curves and gradients whose points are listed
+  render::TemplateHandle handle = render::TemplateHandle::none;  ///< of the template, under the pointer or held
   bool rename_layer = false;  ///< the selected layer's name is being edited
 };
 

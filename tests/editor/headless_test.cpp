@@ -231,9 +231,32 @@ rightclick template
 click item:Polygons
 expect template.view = polygons
 note
-drag template 30 10
+mouse 40 780
+press
+mouse 70 770
+release
 expect template.yaw != noted
 expect dirty = no
+)");
+}
+
+TEST_F(EditorScript, DraggingTheTemplatesHandlesSetsItsParametersInOneStepEach) {
+  passes(R"(note
+drag handle:rim -25 -8
+expect fragments.ejection_angle != noted
+expect undo = 1
+drag handle:top 0 -20
+expect fragments.speed_mean > noted
+expect undo = 2
+drag handle:foot -12 0
+expect fragments.region.radius != noted
+expect undo = 3
+expect template.yaw = noted
+key ctrl+Z
+key ctrl+Z
+key ctrl+Z
+expect dirty = no
+hover handle:rim
 )");
 }
 

@@ -69,6 +69,17 @@ TEST(Session, EditingKeepsTheMomentAndRecompiles) {
   EXPECT_EQ(session.camera, camera) << "an edit moves no camera";
 }
 
+TEST(Session, TheEffectStaysFramedInANewShapeUntilTheCameraIsMoved) {
+  Session session(waiting());
+  session.update(0.0);
+  session.setAspect(0.8);
+  EXPECT_EQ(session.camera, render::framing(session.explosion()->extent(), 0.8));
+  session.camera = moved(session.camera, CameraKey::viewpoint_y_plus, 1.0);
+  const render::Camera own = session.camera;
+  session.setAspect(2.0);
+  EXPECT_EQ(session.camera, own);
+}
+
 TEST(Session, AWindowShowsTheLastGoodPictureUntilTheNextIsReady) {
   Session session({});
   session.update(0.0);

@@ -1,0 +1,69 @@
+#include "editor/window_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <vector>
+
+namespace npsee::editor {
+
+WindowInput::WindowInput(GLFWwindow* window) : window_(window), x_(-FLT_MAX), y_(-FLT_MAX) {
+  glfwSetWindowUserPointer(window, this);
+  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  listen();
+}
+
+WindowInput::~WindowInput() {
+  ImGui_ImplGlfw_Shutdown();
+  glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetWindowUserPointer(window_, nullptr);
+}
+
+void WindowInput::listen() {
+  // The backend's own handlers of focus, wheel and characters stay; these three would lose what is shorter than a frame.
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::button, .code = button, .action = action});
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::key, .code = key, .scancode = scancode, .action = action, .modifiers = modifiers});
+  });
+}
+
+void WindowInput::newFrame() {
+  ImGui_ImplGlfw_NewFrame();
+  bool button_changed = false, moved = false;
+  std::vector<int> keys;
+  for (; !events_.empty(); events_.pop_front()) {
+    const Event& event = events_.front();
+    if (event.kind == Event::Kind::key) {
+      if (button_changed || std::ranges::find(keys, event.code) != keys.end()) break;
+      keys.push_back(event.code);
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.modifiers);
+      continue;
+    }
+    // A press belongs to the place and the keys of its moment, and a drag ends only after its last movement was seen.
+    if (button_changed || (moved && event.kind == Event::Kind::button && event.action == GLFW_RELEASE)) break;
+    if (event.kind == Event::Kind::move) {
+      x_ = event.x;
+      y_ = event.y;
+      moved = true;
+    } else if (event.code >= 0 && event.code < 3) {
+      down_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
+      button_changed = true;
+    }
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  const bool inside = glfwGetWindowAttrib(window_, GLFW_HOVERED) != GLFW_FALSE || std::ranges::find(down_, true) != down_.end();
+  io.MousePos = inside ? ImVec2(x_, y_) : ImVec2(-FLT_MAX, -FLT_MAX);
+  std::ranges::copy(down_, io.MouseDown);
+}
+
+}  // namespace npsee::editor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <utility>
+
+struct GLFWwindow;
+
+namespace npsee::editor {
+
+/// ImGui's input from a window. Mouse and key events wait in a queue and are handed on so that no press is lost and every press
+/// happens where the pointer was, however slowly frames are drawn: a button or key changes at most once a frame.
+class WindowInput {
+ public:
+  /// Needs the ImGui context; takes the window's callbacks and user pointer. Ended before the window is.
+  explicit WindowInput(GLFWwindow* window);
+  ~WindowInput();
+  WindowInput(const WindowInput&) = delete;
+  WindowInput& operator=(const WindowInput&) = delete;
+
+  /// Before ImGui::NewFrame.
+  void newFrame();
+  /// True while events wait for the next frame.
+  bool waiting() const { return !events_.empty(); }
+
+ private:
+  struct Event {
+    enum class Kind { move, button, key } kind = Kind::move;
+    float x = 0.0f, y = 0.0f;
+    int code = 0, scancode = 0, action = 0, modifiers = 0;
+  };
+  void listen();
+
+  GLFWwindow* window_;
+  std::deque<Event> events_;
+  float x_, y_;
+  std::array<bool, 3> down_{};
+};
+
+}  // namespace npsee::editor
