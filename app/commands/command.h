@@ -25,6 +25,9 @@ void addCheck(CLI::App& app, Outcome& outcome);
 void addParticles(CLI::App& app, Outcome& outcome);
 void addRender(CLI::App& app, Outcome& outcome);
 void addEdit(CLI::App& app, Outcome& outcome);
+void addFly(CLI::App& app, Outcome& outcome);
+void addTable(CLI::App& app, Outcome& outcome);
+void addAim(CLI::App& app, Outcome& outcome);
 
 /// Adds all of the above, in the order of `npsee --help`.
 void addAll(CLI::App& app, Outcome& outcome);

@@ -10,6 +10,9 @@ void addAll(CLI::App& app, Outcome& outcome) {
   addParticles(app, outcome);
   addCheck(app, outcome);
   addParams(app, outcome);
+  addFly(app, outcome);
+  addTable(app, outcome);
+  addAim(app, outcome);
 }
 
 }  // namespace npsee::commands

@@ -14,7 +14,7 @@ namespace npsee {
 using namespace ballistics;
 
 struct Ballistics::Data {
-  Projectile projectile;
+  std::shared_ptr<const Projectile> projectile;
   Conditions conditions;
   Setup setup;
 };
@@ -26,9 +26,9 @@ constexpr std::size_t kBatch = 256;
 
 class NodeRecorder final : public Recorder {
  public:
-  NodeRecorder(const Setup& setup, std::vector<Trajectory::Node>& nodes, std::vector<double>& spins) : setup_(setup), nodes_(nodes), spins_(spins) {}
+  NodeRecorder(const Setup& setup, std::vector<FlightPath::Node>& nodes, std::vector<double>& spins) : setup_(setup), nodes_(nodes), spins_(spins) {}
   void step(const Step& step) override {
-    Trajectory::Node node{step.t, step.h, {}};
+    FlightPath::Node node{step.t, step.h, {}};
     denseOutput(step, setup_.integration.integrator != Integrator::dormand_prince, node.c);
     nodes_.push_back(node);
     if (!setup_.closed_form_spin) return;
@@ -38,7 +38,7 @@ class NodeRecorder final : public Recorder {
 
  private:
   const Setup& setup_;
-  std::vector<Trajectory::Node>& nodes_;
+  std::vector<FlightPath::Node>& nodes_;
   std::vector<double>& spins_;
 };
 
@@ -70,7 +70,9 @@ std::vector<Fault> conditionFaults(const Conditions& c, const Integration& i) {
 std::vector<Fault> shotFaults(const Shot& shot) {
   std::vector<Fault> faults;
   within(faults, "the muzzle velocity", shot.speed_mps, 0.01, 10000.0, "m/s", "Choose a charge, or a speed that a gun can have.");
-  within(faults, "the elevation", shot.elevation_rad * 3200.0 / kPi, -1600.0 - 1e-9, 1600.0 + 1e-9, "mil", "1600 mil (90 deg) is straight up; beyond the vertical turn the azimuth round instead.");
+  // A quarter turn that was converted may be a rounding beyond itself.
+  const double elevation = shot.elevation_rad * 3200.0 / kPi;
+  if (!(std::fabs(elevation) <= 1600.0 + 1e-9)) within(faults, "the elevation", elevation, -1600.0, 1600.0, "mil", "1600 mil (90 deg) is straight up; beyond the vertical turn the azimuth round instead.");
   within(faults, "the azimuth", shot.azimuth_rad, -1e4, 1e4, "rad");
   for (const double w : {shot.wind_mps.x, shot.wind_mps.y, shot.wind_mps.z}) within(faults, "the wind", w, -1000.0, 1000.0, "m/s", "Give the velocity of the air as range, up, right in m/s.");
   for (const double p : {shot.muzzle_m.x, shot.muzzle_m.y, shot.muzzle_m.z}) within(faults, "the muzzle's place", p, -1e8, 1e8, "m");
@@ -121,13 +123,22 @@ Vec3 flightFromWorld(const Vec3& v, double azimuth_rad) {
 Expected<Ballistics> Ballistics::make(const Projectile& projectile, const Conditions& conditions, FlightModel model, const Integration& integration) {
   if (std::vector<Fault> faults = validate(projectile); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
   if (std::vector<Fault> faults = conditionFaults(conditions, integration); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::usage, std::move(faults)});
-  return Ballistics(std::make_shared<const Data>(Data{projectile, conditions, setupOf(projectile, conditions, model, integration)}));
+  return Ballistics(std::make_shared<const Data>(Data{std::make_shared<const Projectile>(projectile), conditions, setupOf(projectile, conditions, model, integration)}));
 }
 
 Ballistics::Ballistics(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 Ballistics::~Ballistics() = default;
 Ballistics::Ballistics(const Ballistics&) = default;
 Ballistics& Ballistics::operator=(const Ballistics&) = default;
+
+Ballistics Ballistics::onto(double target_height_m) const {
+  Data data = *data_;
+  data.conditions.ground = nullptr;
+  data.conditions.target_height_m = target_height_m;
+  data.setup.ground = nullptr;
+  data.setup.target_height_m = target_height_m;
+  return Ballistics(std::make_shared<const Data>(std::move(data)));
+}
 
 Expected<void> Ballistics::checkShot(const Shot& shot) const {
   if (std::vector<Fault> faults = shotFaults(shot); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::usage, std::move(faults)});
@@ -144,8 +155,8 @@ Flight Ballistics::fly(const Shot& shot) const {
   return flightOf(setup, shot, progress);
 }
 
-Trajectory Ballistics::trajectory(const Shot& shot) const {
-  Trajectory out;
+FlightPath Ballistics::path(const Shot& shot) const {
+  FlightPath out;
   out.shot_ = shot;
   if (!shotFaults(shot).empty()) return out;
   const Setup& setup = data_->setup;
@@ -193,12 +204,12 @@ void Ballistics::flyMany(std::span<const Shot> shots, std::span<Flight> flights,
   work();
 }
 
-const Projectile& Ballistics::projectile() const { return data_->projectile; }
+const Projectile& Ballistics::projectile() const { return *data_->projectile; }
 const Conditions& Ballistics::conditions() const { return data_->conditions; }
 FlightModel Ballistics::model() const { return data_->setup.model; }
 const Integration& Ballistics::integration() const { return data_->setup.integration; }
 
-Trajectory::State Trajectory::at(double time_s) const {
+FlightPath::State FlightPath::at(double time_s) const {
   State state;
   if (nodes_.empty()) return state;
   const double end = flight_.end == FlightEnd::impact ? flight_.time_of_flight_s : nodes_.back().start_s + nodes_.back().step_s;
@@ -218,7 +229,7 @@ Trajectory::State Trajectory::at(double time_s) const {
   return state;
 }
 
-Trajectory::State Trajectory::inWorld(double time_s) const {
+FlightPath::State FlightPath::inWorld(double time_s) const {
   State state = at(time_s);
   state.position_m = shot_.muzzle_m + worldFromFlight(state.position_m, shot_.azimuth_rad);
   state.velocity_mps = worldFromFlight(state.velocity_mps, shot_.azimuth_rad);

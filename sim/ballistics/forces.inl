@@ -118,7 +118,7 @@ NPSEE_KERNEL_INLINE void derivative(const Setup& s, const Lane<R>& q, R t, const
   // A shell at rest in the air has no direction; a floor keeps the quotients below finite.
   const R v2 = larger(dotted(v, v), number<R>(1e-12)), speed = squareRoot(v2);
   mach = speed / sound;
-  const Place<R> aero(s.aero, mach);
+  const Place<R> aero(*s.aero, mach);
 
   R p = y[6];
   if (s.spin_damped) {
@@ -140,7 +140,7 @@ NPSEE_KERNEL_INLINE void derivative(const Setup& s, const Lane<R>& q, R t, const
     const R zero = number<R>(0.0);
     V3<R> ae = yawOfRepose(k, thick * cma, lagged ? zero : lift, lagged ? zero : magnus, v, v2, turning);
     yaw2 = dotted(ae, ae);
-    if (s.aero.cubic_yaw) {
+    if (s.aero->cubic_yaw) {
       // The cubic terms are small corrections: two substitutions of the yaw they depend on.
       for (int pass = 0; pass < 2; ++pass) {
         const R bounded = smaller(yaw2, number<R>(kYawClamp_rad * kYawClamp_rad));

@@ -16,7 +16,8 @@ inline constexpr double kEarthRadius_m = 6356766.0;
 
 /// What all shots of a run share, as the kernels want it.
 struct Setup {
-  CompiledAero aero;
+  std::shared_ptr<const CompiledAero> shared_aero;
+  const CompiledAero* aero = nullptr;  ///< the same, for the kernels
   FlightModel model = FlightModel::modified_point_mass;
   GravityModel gravity = GravityModel::flat;
   Atmosphere atmosphere;

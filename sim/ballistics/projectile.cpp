@@ -23,10 +23,10 @@ constexpr UnitName kElevations[] = {{"mil", kTwoPi / 6400.0}, {"deg", kPi / 180.
 
 std::span<const ConstantRow> constantRows() {
   static const ConstantRow rows[] = {
-      {"mass", kMasses, &Projectile::mass_kg, 1e-5, 1e5, true, "Mass."},
+      {"mass", kMasses, &Projectile::mass_kg, 1e-5, 1e5, true, "The mass, above zero."},
       {"diameter", kLengths, &Projectile::diameter_m, 1e-4, 10.0, true, "Calibre, which also is the length the coefficients are made dimensionless with."},
       {"inertia", kInertias, &Projectile::inertia_kgm2, 0.0, 1e6, false, "Axial moment of inertia; 0 = unknown: no spin damping and no yaw of repose."},
-      {"twist", kTwists, &Projectile::twist_cal, 0.0, 1000.0, false, "Calibres per turn of the rifling; 0 = smooth bore."},
+      {"twist", kTwists, &Projectile::twist_cal, 0.0, 1000.0, false, "Calibres per turn of the rifling, never negative; 0 = smooth bore. Left-hand rifling is the option --left-hand."},
       {"valid_elevation", kElevations, &Projectile::valid_elevation_rad, 0.0, 0.5 * kPi, false, "Elevation above which the modified point-mass model is flagged as not valid; 0 = no limit."},
   };
   return rows;

@@ -21,7 +21,8 @@ constexpr double kVelocityLever_s = 20.0, kSpinLever_m = 400.0;
 
 Setup setupOf(const Projectile& projectile, const Conditions& conditions, FlightModel model, const Integration& integration) {
   Setup s;
-  s.aero = compileAero(projectile.aero);
+  s.shared_aero = std::make_shared<const CompiledAero>(compileAero(projectile.aero));
+  s.aero = s.shared_aero.get();
   s.model = model;
   s.gravity = conditions.gravity;
   s.atmosphere = conditions.atmosphere;
@@ -38,7 +39,7 @@ Setup setupOf(const Projectile& projectile, const Conditions& conditions, Flight
   s.spin_damped = inertia > 0.0 && !projectile.curve(Coefficient::cspin).empty() && model != FlightModel::vacuum;
   s.spin_k = s.spin_damped ? kPi * d * cube(d) / (8.0 * inertia) : 0.0;
   s.spin_per_speed = projectile.twist_cal > 0.0 ? kTwoPi / (projectile.twist_cal * d) * (projectile.left_hand ? -1.0 : 1.0) : 0.0;
-  s.yaw = (model == FlightModel::modified_point_mass || thesis) && s.aero.has_yaw && inertia > 0.0 && s.spin_per_speed != 0.0;
+  s.yaw = (model == FlightModel::modified_point_mass || thesis) && s.aero->has_yaw && inertia > 0.0 && s.spin_per_speed != 0.0;
   s.closed_form_spin = thesis && s.spin_damped;
   s.valid_elevation_rad = projectile.valid_elevation_rad;
   // The simplified model leaves Coriolis out by definition, and wind in constantsOf.
@@ -88,9 +89,9 @@ double closedFormSpin(const Setup& s, const double* y, double time_s) {
   const AirState air = airAt(s.atmosphere, y[1] + s.altitude_m);
   const double mach = speed / air.sound_speed_mps;
   std::size_t i = 0;
-  while (mach >= s.aero.knots[i + 1]) ++i;
-  const double* c = s.aero.rows.data() + (i * kCoefficients + static_cast<std::size_t>(Coefficient::cspin)) * 4;
-  const double x = mach - s.aero.knots[i], cspin = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+  while (mach >= s.aero->knots[i + 1]) ++i;
+  const double* c = s.aero->rows.data() + (i * kCoefficients + static_cast<std::size_t>(Coefficient::cspin)) * 4;
+  const double x = mach - s.aero->knots[i], cspin = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
   return y[6] * exponential(std::fmin(s.spin_k * air.density_kgm3 * speed * cspin * time_s, 0.0));
 }
 
@@ -100,7 +101,7 @@ Flight flightOf(const Setup& s, const Shot& shot, const Progress& progress) {
   flight.yaw_max_rad = std::sqrt(progress.yaw2_max);
   if (s.yaw && s.valid_elevation_rad > 0.0 && std::fabs(shot.elevation_rad) > s.valid_elevation_rad) flight.doubts |= doubt_elevation;
   if (s.yaw && progress.yaw2_max >= kYawClamp_rad * kYawClamp_rad) flight.doubts |= doubt_yaw;
-  if (progress.mach_max > s.aero.mach_top) flight.doubts |= doubt_mach;
+  if (progress.mach_max > s.aero->mach_top) flight.doubts |= doubt_mach;
   if (flight.end != FlightEnd::impact) {
     flight.end = FlightEnd::no_impact;
     return flight;

@@ -129,7 +129,7 @@ struct Flight {
 };
 
 /// A flight kept whole: evaluate it at any time.
-class Trajectory {
+class FlightPath {
  public:
   struct State {
     Vec3 position_m, velocity_mps;
@@ -172,11 +172,14 @@ class Ballistics {
   Ballistics(const Ballistics&);
   Ballistics& operator=(const Ballistics&);
 
+  /// The same, but falling on a flat surface at this height over the muzzle (m) instead of the conditions' own.
+  Ballistics onto(double target_height_m) const;
+
   /// A refused shot says why; every other one flies, whatever its numbers, without NaN and in bounded time.
   Expected<void> checkShot(const Shot& shot) const;
 
   Flight fly(const Shot& shot) const;
-  Trajectory trajectory(const Shot& shot) const;
+  FlightPath path(const Shot& shot) const;
   /// Flies many shots, four at a time where the CPU can and on `threads` threads (0 = one per core). Each result has the bits
   /// that `fly` gives, for any number of threads. `flights` must be as long as `shots`.
   void flyMany(std::span<const Shot> shots, std::span<Flight> flights, int threads = 0) const;
