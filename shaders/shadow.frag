@@ -1,7 +1,7 @@
 #version 330 core
 in vec2 v_disc;
-in float v_dark;
-in float v_soft;
+flat in float v_dark;
+flat in float v_soft;
 out vec4 o_colour;
 
 void main() {

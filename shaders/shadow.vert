@@ -11,18 +11,19 @@ uniform float u_ground;          // ground height, world m
 uniform float u_strength;        // darkness under a solid form, 0..1
 uniform float u_spread;          // growth of the penumbra per metre of height
 
-out vec2 v_disc;    // -1..1 over the blob
-out float v_dark;   // darkness at its centre
-out float v_soft;   // share of the radius that is penumbra
+out vec2 v_disc;    // length 1 at the blob's edge
+flat out float v_dark;   // darkness at its centre
+flat out float v_soft;   // share of the radius that is penumbra
 
 void main() {
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  // One triangle around the blob: half the set-up work of a square.
+  vec2 corner = gl_VertexID == 0 ? vec2(-1.7320508, -1.0) : gl_VertexID == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
   float height = a_y - u_ground;
   float core = 0.40 * a_size;
   float radius = core * 1.25 + u_spread * max(height, 0.0);
   // The same shade spread over a larger area is fainter.
   float dark = u_strength * a_a * core * core / max(radius * radius, 1e-8);
-  if (height < -0.5 * a_size || a_size <= 0.0 || dark < 0.004) radius = 0.0;
+  if (height < -0.5 * a_size || a_size <= 0.0 || dark < 0.02) radius = 0.0;
   vec2 along = normalize(kKeyDirection.xz);
   vec2 across = vec2(-along.y, along.x);
   vec2 centre = vec2(a_x, a_z) - kKeyDirection.xz / kKeyDirection.y * max(height, 0.25 * a_size);

@@ -1,5 +1,6 @@
 #version 330 core
 #include "common.glsl"
+#include "clip.glsl"
 flat in vec4 v_colour;
 flat in float v_kind;
 flat in vec2 v_noise;
@@ -12,11 +13,11 @@ uniform sampler2D u_noise;   // tiling value noise, 0..1
 uniform vec3 u_right;        // camera axes in the world
 uniform vec3 u_up;
 uniform vec3 u_back;         // towards the eye
-uniform float u_ground;      // ground height, world m; far below everything where there is none
+uniform float u_ground;      // ground height, world m
 out vec4 o_colour;           // premultiplied
 
 // Rounds off where a disc would cut the ground in a hard line.
-float groundFade() { return clamp((v_world_y - u_ground) / (0.35 * v_radius) + 0.15, 0.0, 1.0); }
+float groundFade() { return u_clip.x == 0.0 ? 1.0 : clamp((v_world_y - u_ground) / (0.35 * v_radius) + 0.15, 0.0, 1.0); }
 
 vec4 streak() {
   float across = 1.0 - abs(v_disc.x);

@@ -1,5 +1,6 @@
 #version 330 core
 #include "common.glsl"
+#include "clip.glsl"
 // Soft forms, sorted from back to front. One particle per instance.
 layout(location = 0) in float a_x;     // world m
 layout(location = 1) in float a_y;
@@ -62,5 +63,6 @@ void main() {
   v_kind = a_kind;
   v_disc = corner;
   v_world_y = place.y;
+  gl_ClipDistance[0] = clipDistance(place.y);
   gl_Position = u_view_projection * vec4(place, 1.0);
 }

@@ -1,6 +1,7 @@
 #version 330 core
 #include "common.glsl"
 #include "lift.glsl"
+#include "clip.glsl"
 // One particle per instance, structure of arrays: every quantity is an attribute of its own.
 layout(location = 0) in float a_x;     // world m
 layout(location = 1) in float a_y;
@@ -40,5 +41,6 @@ void main() {
   vec3 light = litDiffuse(linearFromSrgb(vec3(a_r, a_g, a_b)), normal);
   v_flat = vec4(light * a_a, a_a);
   v_smooth = v_flat;
+  gl_ClipDistance[0] = clipDistance(place.y);
   gl_Position = u_view_projection * vec4(place, 1.0);
 }

@@ -1,23 +1,32 @@
 #pragma once
 
+#include "app/render/target.h"
 #include "app/render/view.h"
 
 #include <npsee/preset.h>
 
 namespace npsee::render {
 
+/// All that the picture behind an effect depends on.
+struct Backdrop {
+  View view;
+  double ground_m = 0.0;
+  Colour ground_colour;
+  bool grid = true;
+
+  friend bool operator==(const Backdrop&, const Backdrop&) = default;
+};
+
 /// Ground plane with its metre grid, and the sky.
 class BackdropPass {
  public:
   static Expected<BackdropPass> create();
 
-  /// Draws first; writes depth, so that it hides what is below.
-  void drawGround(const View& view, double height_m, const Colour& colour, bool grid) const;
-  /// Draws last, where nothing else is.
-  void drawSky(const View& view) const;
+  /// Draws into the target's backdrop textures.
+  void draw(const Target& target, const Backdrop& backdrop) const;
 
  private:
-  gl::Program ground_, sky_;
+  gl::Program program_;
   gl::VertexArray nothing_;  // core profile wants one bound even without attributes
 };
 

@@ -11,33 +11,62 @@ float linearFromSrgb(double c) { return static_cast<float>(c <= 0.04045 ? c / 12
 }  // namespace
 
 Expected<FinishPass> FinishPass::create() {
-  auto program = gl::Program::fromFiles("fullscreen.vert", "finish.frag");
-  if (!program) return tl::unexpected<Error>(program.error());
   FinishPass pass;
-  pass.program_ = std::move(*program);
-  pass.nothing_ = gl::VertexArray::make();
+  const auto load = [](gl::Program& slot, const char* fragment_file) -> Expected<void> {
+    auto program = gl::Program::fromFiles("tiles.vert", fragment_file);
+    if (!program) return tl::unexpected<Error>(program.error());
+    slot = std::move(*program);
+    return {};
+  };
+  for (const auto& loaded : {load(pass.clear_, "clear.frag"), load(pass.single_, "finish.frag"), load(pass.smooth_, "finish_smooth.frag")})
+    if (!loaded) return tl::unexpected<Error>(loaded.error());
   return pass;
 }
 
-void FinishPass::draw(const Target& target, const Colour* behind, bool rows_from_top) const {
-  target.resolve();
+void FinishPass::clear(const TileMesh& tiles) const {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
+  clear_.use();
+  tiles.draw(clear_, 1.0f);
+}
+
+void FinishPass::drawOverBackdrop(const Target& target, const TileMesh& tiles) const {
+  target.copyBackdrop();
+  lay(target, tiles, 2, {});
+}
+
+void FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind) const {
+  const Colour plain = behind != nullptr ? *behind : Colour{};
+  target.bindFinished();
+  glClearColor(static_cast<float>(plain.r), static_cast<float>(plain.g), static_cast<float>(plain.b), behind != nullptr ? 1.0f : 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  lay(target, tiles, behind != nullptr ? 1 : 0, plain);
+}
+
+void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const {
   target.bindFinished();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  program_.use();
-  program_.set("u_depth", 0.0f);
-  program_.set("u_scene", 0);
-  program_.set("u_flip_height", rows_from_top ? target.height() : 0);
-  const Colour colour = behind != nullptr ? *behind : Colour{};
-  program_.set("u_background", static_cast<float>(colour.r), static_cast<float>(colour.g), static_cast<float>(colour.b), behind != nullptr ? 1.0f : 0.0f);
-  program_.set("u_background_light", linearFromSrgb(colour.r), linearFromSrgb(colour.g), linearFromSrgb(colour.b));
+  const gl::Program& program = target.smooth() ? smooth_ : single_;
+  program.use();
+  program.set("u_scene", 0);
+  program.set("u_backdrop", 1);
+  program.set("u_behind", behind);
+  program.set("u_plain", linearFromSrgb(plain.r), linearFromSrgb(plain.g), linearFromSrgb(plain.b));
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, target.backdrop());
+  glBindSampler(1, 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, target.light());
+  glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
   glBindSampler(0, 0);
-  glBindVertexArray(nothing_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  tiles.draw(program, 0.0f);
 }
 
 }  // namespace npsee::render

@@ -1,24 +1,30 @@
 #pragma once
 
-#include "app/gl/program.h"
 #include "app/render/target.h"
+#include "app/render/tiles.h"
 
 #include <npsee/preset.h>
 
 namespace npsee::render {
 
-/// Turns a target's linear light into its finished picture.
+/// First and last step of a picture: empties the effect's framebuffer, and turns its light into the finished picture. Both
+/// go over the touched tiles only.
 class FinishPass {
  public:
   static Expected<FinishPass> create();
 
-  /// Resolves and finishes `target`. `behind` is null for a transparent picture. With `rows_from_top` the picture's first
-  /// row is the top one, as image files want it.
-  void draw(const Target& target, const Colour* behind, bool rows_from_top) const;
+  /// Clears colour and depth of the tiles in the bound framebuffer.
+  void clear(const TileMesh& tiles) const;
+
+  /// Lays the effect over the target's backdrop.
+  void drawOverBackdrop(const Target& target, const TileMesh& tiles) const;
+  /// Lays it over a plain colour, or over nothing (null): a transparent picture.
+  void drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind) const;
 
  private:
-  gl::Program program_;
-  gl::VertexArray nothing_;
+  void lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const;
+
+  gl::Program clear_, single_, smooth_;
 };
 
 }  // namespace npsee::render

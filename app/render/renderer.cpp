@@ -2,6 +2,7 @@
 
 #include "app/render/backdrop_pass.h"
 #include "app/render/blend_order.h"
+#include "app/render/effect_tiles.h"
 #include "app/render/finish_pass.h"
 #include "app/render/shadow_pass.h"
 #include "app/render/soft_pass.h"
@@ -16,6 +17,9 @@
 
 namespace npsee::render {
 namespace {
+
+/// Most particles drawn with several samples per pixel, which take twice the time; among more, edges no longer show.
+constexpr std::size_t kMostSmooth = 10'000;
 
 /// Darkness of the shadow under a form; light throws none.
 double shadowStrength(Form form) {
@@ -48,11 +52,6 @@ Expected<void> drawnWithoutError() {
   return {};
 }
 
-Expected<void> sizedTarget(Target& target, int width, int height) {
-  if (auto sized = checkSize(width, height); !sized) return sized;
-  return target.resize(width, height);
-}
-
 void readBack(const Target& target, Image& image) {
   image.width = target.width();
   image.height = target.height();
@@ -61,11 +60,18 @@ void readBack(const Target& target, Image& image) {
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // GL's first row is the lowest.
+  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(image.width);
+  for (int low = 0, high = image.height - 1; low < high; ++low, --high) std::swap_ranges(image.pixel(0, low), image.pixel(0, low) + row, image.pixel(0, high));
 }
 
 }  // namespace
 
 struct Renderer::Impl {
+  struct Slot {
+    Target target;
+    std::optional<Backdrop> backdrop;  // what the target's backdrop shows
+  };
   BackdropPass backdrop;
   SolidPass solid;
   ShadowPass shadow;
@@ -76,14 +82,27 @@ struct Renderer::Impl {
   FrameUpload frame;
   BlendedUpload blended;
   BlendOrder order;
-  std::array<Target, 4> targets;
+  TileMask mask;
+  TileMesh tiles;
+  std::array<Slot, 4> slots;
 
   void drawShadows(const Scene& scene, const View& view) const;
-  void drawOpaque(const Scene& scene, const View& view);
-  Expected<void> drawBlended(const Scene& scene, const View& view, double ground_m);
-  Expected<void> draw(const Scene& scene, const View& view, Target& target, bool rows_from_top);
-  Expected<void> draw(const TemplateScene& scene, Target& target, bool rows_from_top);
+  void drawOpaque(const Scene& scene, const View& view, const GroundLevel& ground);
+  Expected<void> drawBlended(const Scene& scene, const View& view, const GroundLevel& ground);
+  void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
+  Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
+  Expected<void> draw(const TemplateScene& scene, Slot& slot);
+  /// The slot with its target at the wanted size.
+  Expected<Slot*> sized(int slot, int width, int height);
 };
+
+Expected<Renderer::Impl::Slot*> Renderer::Impl::sized(int index, int width, int height) {
+  if (auto fits = checkSize(width, height); !fits) return tl::unexpected<Error>(fits.error());
+  Slot& slot = slots.at(static_cast<std::size_t>(index));
+  if (slot.target.width() != width || slot.target.height() != height) slot.backdrop.reset();
+  if (auto made = slot.target.resize(width, height); !made) return tl::unexpected<Error>(made.error());
+  return &slot;
+}
 
 void Renderer::Impl::drawShadows(const Scene& scene, const View& view) const {
   for (const LayerSpan& layer : scene.layers) {
@@ -93,19 +112,19 @@ void Renderer::Impl::drawShadows(const Scene& scene, const View& view) const {
   }
 }
 
-void Renderer::Impl::drawOpaque(const Scene& scene, const View& view) {
+void Renderer::Impl::drawOpaque(const Scene& scene, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : scene.layers)
     if (const std::size_t count = countIn(layer, *scene.frame); count > 0 && !isSoft(layer.form))
-      solid.drawOpaque(view, layer.form, frame, layer.first, count, scene.ground_height_m);
+      solid.drawOpaque(view, layer.form, frame, layer.first, count, ground);
 }
 
-Expected<void> Renderer::Impl::drawBlended(const Scene& scene, const View& view, double ground_m) {
+Expected<void> Renderer::Impl::drawBlended(const Scene& scene, const View& view, const GroundLevel& ground) {
   order.sort(*scene.frame, scene.layers, view);
   if (order.instances().empty()) return {};
   blended.upload(order.instances());
   for (const BlendOrder::Run& run : order.runs()) {
     if (!isSoft(run.form)) {
-      solid.drawBlended(view, run.form, blended, run.first, run.count, scene.ground_height_m);
+      solid.drawBlended(view, run.form, blended, run.first, run.count, ground);
       continue;
     }
     if (!soft) {
@@ -113,30 +132,44 @@ Expected<void> Renderer::Impl::drawBlended(const Scene& scene, const View& view,
       if (!pass) return tl::unexpected<Error>(pass.error());
       soft = std::move(*pass);
     }
-    soft->draw(view, blended, run.first, run.count, ground_m);
+    soft->draw(view, blended, run.first, run.count, ground);
   }
   return {};
 }
 
-Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Target& target, bool rows_from_top) {
+void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const {
+  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.grid};
+  // Frames of a sequence share their backdrop, which costs more to draw than a hundred pieces.
+  if (slot.backdrop == wanted) return;
+  backdrop.draw(slot.target, wanted);
+  slot.backdrop = wanted;
+}
+
+Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot) {
   const bool outdoors = scene.background.kind == Background::Kind::sky;
   const bool particles = scene.frame != nullptr && scene.frame->count > 0;
-  target.begin();
-  if (particles) frame.upload(*scene.frame);
-  if (outdoors) backdrop.drawGround(view, scene.ground_height_m, scene.ground_colour, scene.grid);
   // A picture without background is for laying over another: it holds the effect alone.
-  if (particles && scene.background.kind != Background::Kind::transparent && view.eye.y > scene.ground_height_m) drawShadows(scene, view);
-  if (particles) drawOpaque(scene, view);
-  if (outdoors) backdrop.drawSky(view);
-  if (particles)
-    if (auto drawn = drawBlended(scene, view, outdoors ? scene.ground_height_m : -1e9); !drawn) return drawn;
-  // The sky and ground cover everything; what stands behind them does not matter.
-  const Colour* behind = scene.background.kind == Background::Kind::transparent ? nullptr : &scene.background.colour;
-  finish.draw(target, behind, rows_from_top);
+  const bool shadows = scene.background.kind != Background::Kind::transparent && view.eye.y > scene.ground_height_m;
+  const Target& target = slot.target;
+  if (outdoors) prepareBackdrop(scene, view, slot);
+  mask.reset(target.width(), target.height());
+  if (particles) markEffect(mask, *scene.frame, scene.layers, view, scene.ground_height_m, shadows);
+  tiles.upload(mask);
+  if (!mask.empty()) {
+    if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
+    finish.clear(tiles);
+    frame.upload(*scene.frame);
+    const GroundLevel ground{scene.ground_height_m, outdoors};
+    if (shadows) drawShadows(scene, view);
+    drawOpaque(scene, view, ground);
+    if (auto drawn = drawBlended(scene, view, ground); !drawn) return drawn;
+  }
+  if (outdoors) finish.drawOverBackdrop(target, tiles);
+  else finish.drawOverColour(target, tiles, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr);
   return drawnWithoutError();
 }
 
-Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Target& target, bool rows_from_top) {
+Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
   if (scene.preset == nullptr || scene.layer < 0 || static_cast<std::size_t>(scene.layer) >= scene.preset->layers.size())
     return fail(ErrorKind::usage, "there is no layer " + std::to_string(scene.layer) + " to draw a template of.", "Choose one of the preset's layers, or add one.");
   if (!icon) {
@@ -144,9 +177,14 @@ Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Target& target, 
     if (!pass) return tl::unexpected<Error>(pass.error());
     icon = std::move(*pass);
   }
-  target.begin();
+  Target& target = slot.target;
+  if (auto begun = target.beginEffect(true); !begun) return begun;
+  mask.reset(target.width(), target.height());
+  mask.markAll();
+  tiles.upload(mask);
+  finish.clear(tiles);
   icon->draw(scene, target.width(), target.height());
-  finish.draw(target, TemplatePass::background(scene), rows_from_top);
+  finish.drawOverColour(target, tiles, TemplatePass::background(scene));
   return drawnWithoutError();
 }
 
@@ -168,26 +206,24 @@ Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
 Expected<unsigned> Renderer::drawToTexture(const Scene& scene, const Camera& camera, int width, int height, int slot) {
-  Target& target = impl_->targets.at(static_cast<std::size_t>(slot));
-  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
-  const View view = makeView(camera, width, height, {0, 0, width, height});
-  if (auto drawn = impl_->draw(scene, view, target, false); !drawn) return tl::unexpected<Error>(drawn.error());
-  return target.finished();
+  const auto sized = impl_->sized(slot, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, makeView(camera, width, height), **sized); !drawn) return tl::unexpected<Error>(drawn.error());
+  return (*sized)->target.finished();
 }
 
 Expected<unsigned> Renderer::drawToTexture(const TemplateScene& scene, int width, int height, int slot) {
-  Target& target = impl_->targets.at(static_cast<std::size_t>(slot));
-  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
-  if (auto drawn = impl_->draw(scene, target, false); !drawn) return tl::unexpected<Error>(drawn.error());
-  return target.finished();
+  const auto sized = impl_->sized(slot, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, **sized); !drawn) return tl::unexpected<Error>(drawn.error());
+  return (*sized)->target.finished();
 }
 
 Expected<void> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height, Image& image) {
-  Target& target = impl_->targets[0];
-  if (auto made = sizedTarget(target, width, height); !made) return made;
-  const View view = makeView(camera, width, height, {0, 0, width, height});
-  if (auto drawn = impl_->draw(scene, view, target, true); !drawn) return drawn;
-  readBack(target, image);
+  const auto sized = impl_->sized(0, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, makeView(camera, width, height), **sized); !drawn) return drawn;
+  readBack((*sized)->target, image);
   return {};
 }
 
@@ -198,11 +234,11 @@ Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, 
 }
 
 Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int height) {
-  Target& target = impl_->targets[1];
-  if (auto made = sizedTarget(target, width, height); !made) return tl::unexpected<Error>(made.error());
-  if (auto drawn = impl_->draw(scene, target, true); !drawn) return tl::unexpected<Error>(drawn.error());
+  const auto sized = impl_->sized(1, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, **sized); !drawn) return tl::unexpected<Error>(drawn.error());
   Image image;
-  readBack(target, image);
+  readBack((*sized)->target, image);
   return image;
 }
 

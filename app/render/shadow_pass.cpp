@@ -12,21 +12,22 @@ Expected<ShadowPass> ShadowPass::create() {
 }
 
 void ShadowPass::draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m, double strength) const {
-  // Drawn between the ground and everything else, so no depth is needed.
+  // Drawn before everything else, so no depth is needed.
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
   program_.use();
   setView(program_, view);
   program_.set("u_ground", static_cast<float>(ground_m));
   program_.set("u_strength", static_cast<float>(strength));
-  // The sun's disc is half a degree wide (0.009); more looks softer.
-  program_.set("u_spread", 0.02f);
+  // The sun is half a degree wide: 0.009 from one edge of its disc to the other.
+  program_.set("u_spread", 0.010f);
   glBindVertexArray(attributes_.name());
   particles.bind(first, false);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<GLsizei>(count));
 }
 
 }  // namespace npsee::render

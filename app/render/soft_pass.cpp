@@ -59,7 +59,7 @@ Expected<SoftPass> SoftPass::create() {
   return pass;
 }
 
-void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m) const {
+void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);
@@ -68,7 +68,7 @@ void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_
   glDisable(GL_CULL_FACE);
   program_.use();
   setView(program_, view);
-  program_.set("u_ground", static_cast<float>(ground_m));
+  setGround(program_, view, ground);
   program_.set("u_noise", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, noise_.name());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/frame_upload.h"
+#include "app/render/ground_level.h"
 #include "app/render/view.h"
 
 namespace npsee::render {
@@ -9,7 +10,7 @@ namespace npsee::render {
 class SoftPass {
  public:
   static Expected<SoftPass> create();
-  void draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m) const;
+  void draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const;
 
  private:
   gl::Program program_;

@@ -42,7 +42,7 @@ SolidPass::LoadedMesh& SolidPass::loaded(Form form) {
   return out;
 }
 
-void SolidPass::prepare(const View& view, const LoadedMesh& loaded, double ground_m) const {
+void SolidPass::prepare(const View& view, const LoadedMesh& loaded, const GroundLevel& ground) const {
   const Mesh& mesh = loaded.mesh;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -52,7 +52,7 @@ void SolidPass::prepare(const View& view, const LoadedMesh& loaded, double groun
   glFrontFace(GL_CCW);
   program_.use();
   setView(program_, view);
-  program_.set("u_ground", static_cast<float>(ground_m));
+  setGround(program_, view, ground);
   program_.set("u_hull_count", static_cast<int>(mesh.hull.size()));
   for (std::size_t i = 0; i < mesh.hull.size(); ++i) setVec3(program_, ("u_hull[" + std::to_string(i) + "]").c_str(), mesh.hull[i]);
   program_.set("u_lift_limit", static_cast<float>(mesh.lift_limit));
@@ -61,9 +61,9 @@ void SolidPass::prepare(const View& view, const LoadedMesh& loaded, double groun
   glBindVertexArray(loaded.attributes.name());
 }
 
-void SolidPass::drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m) {
+void SolidPass::drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) {
   const LoadedMesh& mesh = loaded(form);
-  prepare(view, mesh, ground_m);
+  prepare(view, mesh, ground);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   program_.set("u_opacity", kOpaque, 2.0f);
@@ -71,9 +71,9 @@ void SolidPass::drawOpaque(const View& view, Form form, const FrameUpload& parti
   drawInstances(mesh.mesh, count);
 }
 
-void SolidPass::drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m) {
+void SolidPass::drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) {
   const LoadedMesh& mesh = loaded(form);
-  prepare(view, mesh, ground_m);
+  prepare(view, mesh, ground);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);

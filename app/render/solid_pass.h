@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/frame_upload.h"
+#include "app/render/ground_level.h"
 #include "app/render/meshes.h"
 #include "app/render/view.h"
 
@@ -14,9 +15,9 @@ class SolidPass {
   static Expected<SolidPass> create();
 
   /// Draws the opaque particles of a frame's range.
-  void drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m);
+  void drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground);
   /// Blends particles in the order given.
-  void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, double ground_m);
+  void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground);
 
  private:
   struct LoadedMesh {
@@ -25,7 +26,7 @@ class SolidPass {
     Mesh mesh;
   };
   LoadedMesh& loaded(Form form);
-  void prepare(const View& view, const LoadedMesh& mesh, double ground_m) const;
+  void prepare(const View& view, const LoadedMesh& mesh, const GroundLevel& ground) const;
 
   gl::Program program_;
   std::array<LoadedMesh, 4> meshes_;  // made when first needed

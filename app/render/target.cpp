@@ -1,10 +1,17 @@
 #include "app/render/target.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 
 namespace npsee::render {
 namespace {
+
+/// Samples per pixel of a smooth effect; shaders/finish_smooth.frag reads as many.
+constexpr GLint kSamples = 4;
+/// Largest picture with several samples: they take 48 bytes a pixel.
+constexpr std::int64_t kMostSmoothPixels = 9'000'000;
 
 gl::Texture makeTexture(GLenum internal_format, GLenum type, int width, int height) {
   gl::Texture texture = gl::Texture::make();
@@ -25,16 +32,28 @@ gl::Renderbuffer makeRenderbuffer(GLenum format, int samples, int width, int hei
   return buffer;
 }
 
-gl::Framebuffer makeFramebuffer(const gl::Texture& colour) {
+gl::Framebuffer makeFramebuffer(const gl::Texture& colour, const gl::Texture* second = nullptr) {
   gl::Framebuffer frame = gl::Framebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
+  if (second == nullptr) return frame;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, second->name(), 0);
+  const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glDrawBuffers(2, both);
   return frame;
 }
 
-bool complete(const gl::Framebuffer& frame) {
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
-  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+/// Empty if the framebuffers made so far can be used, else the driver's word.
+Expected<void> checkComplete(std::initializer_list<const gl::Framebuffer*> frames, int width, int height) {
+  bool usable = true;
+  for (const gl::Framebuffer* frame : frames) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame->name());
+    usable = usable && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  }
+  const char* error = gl::pendingError();
+  if (usable && error == nullptr) return {};
+  return fail(ErrorKind::graphics, "the driver has no picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels" + (error != nullptr ? std::string(": ") + error : std::string()) + ".",
+              "Choose a smaller size.");
 }
 
 }  // namespace
@@ -42,52 +61,70 @@ bool complete(const gl::Framebuffer& frame) {
 Expected<void> Target::resize(int width, int height) {
   if (width == width_ && height == height_) return {};
   *this = Target();
-  GLint most = 1;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  const int samples = std::min(kSamples, static_cast<int>(most));
-  light_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width, height);
+  effect_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width, height);
+  backdrop_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width, height);
+  backdrop_finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
   finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
-  samples_ = makeRenderbuffer(GL_RGBA16F, samples, width, height);
-  depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, samples, width, height);
-  light_frame_ = makeFramebuffer(light_);
-  finished_frame_ = makeFramebuffer(finished_);
-  samples_frame_ = gl::Framebuffer::make();
-  glBindFramebuffer(GL_FRAMEBUFFER, samples_frame_.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_.name());
+  depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, 0, width, height);
+  effect_frame_ = makeFramebuffer(effect_);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-  const bool usable = complete(light_frame_) && complete(finished_frame_) && complete(samples_frame_);
-  const char* error = gl::pendingError();
-  if (!usable || error != nullptr) {
+  backdrop_frame_ = makeFramebuffer(backdrop_, &backdrop_finished_);
+  finished_frame_ = makeFramebuffer(finished_);
+  if (auto made = checkComplete({&effect_frame_, &backdrop_frame_, &finished_frame_}, width, height); !made) {
     *this = Target();
-    return fail(ErrorKind::graphics, "the driver has no picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels" + (error != nullptr ? std::string(": ") + error : std::string()) + ".",
-                "Choose a smaller size.");
+    return made;
   }
   width_ = width;
   height_ = height;
   return {};
 }
 
-void Target::begin() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, samples_frame_.name());
+Expected<void> Target::beginEffect(bool smooth) {
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
+  smooth_ = smooth && most >= kSamples && static_cast<std::int64_t>(width_) * height_ <= kMostSmoothPixels;
+  if (smooth_ && !samples_frame_) {
+    samples_ = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_.name());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA16F, width_, height_, GL_TRUE);
+    samples_depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, kSamples, width_, height_);
+    samples_frame_ = gl::Framebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, samples_frame_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, samples_.name(), 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_.name());
+    if (auto made = checkComplete({&samples_frame_}, width_, height_); !made) {
+      samples_frame_.reset();
+      return made;
+    }
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, smooth_ ? samples_frame_.name() : effect_frame_.name());
   glViewport(0, 0, width_, height_);
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_MULTISAMPLE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
-  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClearDepth(1.0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  return {};
 }
 
-void Target::resolve() const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_frame_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light_frame_.name());
+void Target::bindBackdrop() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, backdrop_frame_.name());
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void Target::copyBackdrop() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop_frame_.name());
+  glReadBuffer(GL_COLOR_ATTACHMENT1);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_frame_.name());
+  glDisable(GL_SCISSOR_TEST);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Target::bindFinished() const {
   glBindFramebuffer(GL_FRAMEBUFFER, finished_frame_.name());
   glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace npsee::render

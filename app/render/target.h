@@ -6,8 +6,9 @@
 
 namespace npsee::render {
 
-/// What a picture is drawn into: linear light with several samples per pixel, the same resolved to one, and the finished
-/// sRGB-coded texture. Kept from picture to picture; made anew when the size changes.
+/// What a picture is drawn into. The effect's linear light (with several samples per pixel where that is not too
+/// much), the backdrop behind it (linear, and finished), and the finished sRGB-coded picture. Kept from picture
+/// to picture; made anew when the size changes.
 class Target {
  public:
   /// Error kind graphics when the driver has no room for the size.
@@ -16,24 +17,29 @@ class Target {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Binds the multi-sampled framebuffer with the viewport over all of it, and clears it to nothing.
-  void begin() const;
-  /// Averages the samples into the texture of linear light.
-  void resolve() const;
-  /// Binds the framebuffer of the finished picture.
+  /// Binds the effect's framebuffer as it was left. Smooth: with four samples per pixel, if the driver has them. Error kind
+  /// graphics when the driver has no room.
+  Expected<void> beginEffect(bool smooth);
+  /// Whether the effect has several samples per pixel.
+  bool smooth() const { return smooth_; }
+
+  /// Binds the two backdrop textures: output 0 linear, output 1 finished.
+  void bindBackdrop() const;
+  /// The finished picture becomes the backdrop's.
+  void copyBackdrop() const;
+  /// Binds the framebuffer of the finished picture, whole.
   void bindFinished() const;
 
-  GLuint light() const { return light_.name(); }        ///< RGBA16F texture, after resolve()
+  GLuint effect() const { return smooth_ ? samples_.name() : effect_.name(); }  ///< RGBA16F texture, multi-sampled if smooth()
+  GLuint backdrop() const { return backdrop_.name(); }  ///< RGBA16F texture
   GLuint finished() const { return finished_.name(); }  ///< RGBA8 texture
 
  private:
   int width_ = 0, height_ = 0;
-  gl::Framebuffer samples_frame_, light_frame_, finished_frame_;
-  gl::Renderbuffer samples_, depth_;
-  gl::Texture light_, finished_;
+  bool smooth_ = false;
+  gl::Texture effect_, samples_, backdrop_, backdrop_finished_, finished_;
+  gl::Renderbuffer depth_, samples_depth_;
+  gl::Framebuffer effect_frame_, samples_frame_, backdrop_frame_, finished_frame_;
 };
-
-/// Samples per pixel.
-inline constexpr int kSamples = 4;
 
 }  // namespace npsee::render

@@ -1,5 +1,7 @@
 #include "app/render/view.h"
 
+#include "app/render/ground_level.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@ Vec3 unit(const Vec3& v, const Vec3& otherwise) {
   return size > 1e-12 ? (1.0 / size) * v : otherwise;
 }
 
-/// Rows of clip = matrix * (x, y, z, 1), before the tile's window is cut out.
+/// Rows of clip = matrix * (x, y, z, 1), row by row.
 struct Rows {
   double m[4][4];
 };
@@ -33,7 +35,7 @@ Rows perspective(const View& view, double tan_x, double tan_y, double near_m, do
 
 }  // namespace
 
-View makeView(const Camera& camera, int width, int height, const Tile& tile) {
+View makeView(const Camera& camera, int width, int height) {
   View view;
   view.eye = camera.eye;
   view.distance_m = std::max(length(camera.target - camera.eye), 1e-3);
@@ -48,20 +50,13 @@ View makeView(const Camera& camera, int width, int height, const Tile& tile) {
   view.metre_per_pixel = 2.0 * tan_y / height;
   view.ray_x = view.metre_per_pixel * view.right;
   view.ray_y = view.metre_per_pixel * view.up;
-  view.ray_origin = (tile.x - 0.5 * width) * view.ray_x + (tile.y - 0.5 * height) * view.ray_y - view.back;
+  view.ray_origin = -0.5 * width * view.ray_x + (-0.5 * height) * view.ray_y - view.back;
 
   // The near plane follows the distance, so that depth keeps its precision where the effect is.
   const double near_m = std::clamp(0.01 * view.distance_m, 0.02, 20.0);
   const Rows rows = perspective(view, tan_x, tan_y, near_m, 1e6 * near_m);
-  const double scale_x = static_cast<double>(width) / tile.width, scale_y = static_cast<double>(height) / tile.height;
-  const double shift_x = (width - 2.0 * tile.x) / tile.width - 1.0, shift_y = (height - 2.0 * tile.y) / tile.height - 1.0;
-  for (int column = 0; column < 4; ++column) {
-    const double w = rows.m[3][column];
-    view.view_projection[4 * column + 0] = static_cast<float>(scale_x * rows.m[0][column] + shift_x * w);
-    view.view_projection[4 * column + 1] = static_cast<float>(scale_y * rows.m[1][column] + shift_y * w);
-    view.view_projection[4 * column + 2] = static_cast<float>(rows.m[2][column]);
-    view.view_projection[4 * column + 3] = static_cast<float>(w);
-  }
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) view.view_projection[4 * column + row] = static_cast<float>(rows.m[row][column]);
   return view;
 }
 
@@ -79,6 +74,14 @@ void setView(const gl::Program& program, const View& view) {
   setVec3(program, "u_ray_x", view.ray_x);
   setVec3(program, "u_ray_y", view.ray_y);
   program.set("u_metre_per_pixel", static_cast<float>(view.metre_per_pixel));
+}
+
+void setGround(const gl::Program& program, const View& view, const GroundLevel& ground) {
+  const double side = !ground.solid ? 0.0 : view.eye.y >= ground.height_m ? 1.0 : -1.0;
+  program.set("u_ground", static_cast<float>(ground.height_m));
+  program.set("u_clip", static_cast<float>(side), static_cast<float>(ground.height_m));
+  if (ground.solid) glEnable(GL_CLIP_DISTANCE0);
+  else glDisable(GL_CLIP_DISTANCE0);
 }
 
 }  // namespace npsee::render

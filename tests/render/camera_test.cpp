@@ -15,7 +15,7 @@ const Extent kEffect{{-20.0, 0.0, -14.0}, {26.0, 19.0, 14.0}};
 /// Normalised device coordinates of a world point.
 std::array<double, 2> projected(const Camera& camera, double aspect, const Vec3& p) {
   const int width = static_cast<int>(1000.0 * aspect), height = 1000;
-  const View view = makeView(camera, width, height, {0, 0, width, height});
+  const View view = makeView(camera, width, height);
   double clip[4];
   const double point[4] = {p.x, p.y, p.z, 1.0};
   for (int row = 0; row < 4; ++row) {
@@ -89,7 +89,7 @@ TEST(Camera, WhatCannotBeACameraIsRefusedWithTheWayToWriteOne) {
 
 TEST(View, RayThroughAPixelMeetsTheWorldPointThatProjectsThere) {
   const Camera camera = framing(kEffect, 2.0);
-  const View view = makeView(camera, 1000, 500, {0, 0, 1000, 500});
+  const View view = makeView(camera, 1000, 500);
   const Vec3 ray = view.ray_origin + 700.0 * view.ray_x + 400.0 * view.ray_y;
   const auto at = projected(camera, 2.0, camera.eye + 30.0 * ray);
   EXPECT_NEAR(at[0], 2.0 * 700.0 / 1000.0 - 1.0, 1e-5);

@@ -1,5 +1,6 @@
 #version 330 core
 #include "common.glsl"
+#include "srgb.glsl"
 uniform vec3 u_eye;          // world m
 uniform vec3 u_ray_origin;   // world direction through the target's lower left corner, one unit deep
 uniform vec3 u_ray_x;        // change of that direction per pixel to the right
@@ -7,8 +8,9 @@ uniform vec3 u_ray_y;        // and per pixel up
 uniform float u_height;      // ground height, world m
 uniform vec3 u_ground;       // ground colour, sRGB-coded
 uniform float u_grid;        // 1 draws the metre grid, 0 leaves it out
-uniform float u_haze;        // distance at which haze covers 63 %, m
-out vec4 o_colour;
+uniform float u_haze;        // distance at which haze covers 40 %, m
+layout(location = 0) out vec4 o_light;     // linear, rolled off
+layout(location = 1) out vec4 o_finished;  // sRGB-coded
 
 // Cover of lines `spacing` metres apart and `width` metres wide, box-filtered over the pixel's footprint, fading out where
 // the lines would be closer than a few pixels.
@@ -23,16 +25,13 @@ float gridCover(vec2 place, vec2 footprint, float spacing, float width) {
   return max(cover.x, cover.y);
 }
 
-void main() {
-  // The ray is met with the plane here, not interpolated: a quad of kilometres leaves no precision for a line of centimetres.
-  vec3 ray = u_ray_origin + gl_FragCoord.x * u_ray_x + gl_FragCoord.y * u_ray_y;
-  float depth = (u_height - u_eye.y) / ray.y;
+vec3 groundColour(vec3 ray, float depth) {
   vec2 place = u_eye.xz + ray.xz * depth;
   float distance_m = depth * length(ray);
 
   // Exact change of the hit point per pixel: d(place) = depth * (d ray.xz - ray.xz / ray.y * d ray.y).
   vec2 slope = ray.xz / ray.y;
-  vec2 footprint = abs(depth) * (abs(u_ray_x.xz - slope * u_ray_x.y) + abs(u_ray_y.xz - slope * u_ray_y.y));
+  vec2 footprint = depth * (abs(u_ray_x.xz - slope * u_ray_x.y) + abs(u_ray_y.xz - slope * u_ray_y.y));
 
   // Soil shades itself: a fifth darker than a smooth sheet of its colour, and quieter than what flies over it.
   vec3 albedo = linearFromSrgb(u_ground) * 0.80;
@@ -49,5 +48,14 @@ void main() {
   float below_horizon = abs(ray.y) / length(ray);
   haze = max(haze, exp(-below_horizon * 38.0));
   if (u_eye.y < u_height) colour *= 0.5;
-  o_colour = vec4(mix(colour, kHorizon, haze), 1.0);
+  return mix(colour, kHorizon, haze);
+}
+
+void main() {
+  vec3 ray = u_ray_origin + gl_FragCoord.x * u_ray_x + gl_FragCoord.y * u_ray_y;
+  float depth = (u_height - u_eye.y) / ray.y;
+  vec3 light = depth > 0.0 && abs(ray.y) > 1e-6 ? groundColour(ray, depth) : skyColour(ray);
+  light = rolledOff(light);
+  o_light = vec4(light, 1.0);
+  o_finished = vec4(srgbFromLinear(light), 1.0);
 }

@@ -1,0 +1,62 @@
+#include "app/render/effect_tiles.h"
+
+#include "app/render/meshes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee::render {
+namespace {
+
+/// Pixels added around: least sizes, edges, rounding.
+constexpr double kMargin_px = 2.5;
+/// The key light of shaders/common.glsl as its throw on the ground per metre of height, and the blob of shaders/shadow.vert:
+/// its radius per size and per metre of height, both stretched along the light.
+constexpr double kThrowX = 0.7408, kThrowZ = -0.6575, kBlobSize = 0.71, kBlobGrowth = 0.0142;
+
+/// Marks a ball of radius r around a point, or a disc of that radius on the ground; false if it may surround the eye,
+/// where anything is possible.
+bool markRound(TileMask& mask, const View& view, const Vec3& at, double r, bool flat) {
+  const Vec3 from = at - view.eye;
+  const double depth = -dot(view.back, from);
+  if (depth < -r) return true;
+  if (depth < 2.0 * r + 1e-3) return false;
+  // Half width along an axis of the camera.
+  const auto half = [&](const Vec3& axis) { return flat ? r * std::sqrt(std::max(1.0 - axis.y * axis.y, 0.0)) : r; };
+  const double x = dot(view.right, from) / depth, y = dot(view.up, from) / depth, along = half(view.back);
+  // Off the axis nearer parts lie farther out.
+  const double scale = 1.0 / (view.metre_per_pixel * (depth - along));
+  const double half_x = scale * (half(view.right) + along * std::abs(x)) + kMargin_px, half_y = scale * (half(view.up) + along * std::abs(y)) + kMargin_px;
+  const double centre_x = x / view.metre_per_pixel + 0.5 * mask.width(), centre_y = y / view.metre_per_pixel + 0.5 * mask.height();
+  mask.mark(centre_x - half_x, centre_y - half_y, centre_x + half_x, centre_y + half_y);
+  return true;
+}
+
+/// Largest distance from a particle's place to anything drawn of it. Pieces near the ground are lifted onto it.
+double reachOf(const Frame& frame, std::size_t i, Form form, double above_ground_m) {
+  const double size = static_cast<double>(frame.size[i]);
+  if (isSoft(form) && form != Form::streak) return 0.71 * size;
+  if (form != Form::streak) return above_ground_m > 0.5 * size ? 0.5 * size : size;
+  if (frame.vx.size() <= i) return size;
+  return size + 0.01 * length({static_cast<double>(frame.vx[i]), static_cast<double>(frame.vy[i]), static_cast<double>(frame.vz[i])});
+}
+
+}  // namespace
+
+void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, double ground_m, bool shadows) {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t end = std::min(layer.first + layer.count, frame.count);
+    for (std::size_t i = layer.first; i < end; ++i) {
+      if (frame.size[i] <= 0.0f) continue;
+      const double x = static_cast<double>(frame.x[i]), y = static_cast<double>(frame.y[i]), z = static_cast<double>(frame.z[i]), size = static_cast<double>(frame.size[i]);
+      bool bounded = markRound(mask, view, {x, y, z}, reachOf(frame, i, layer.form, y - ground_m), false);
+      if (bounded && shadows) {
+        const double height_m = std::max(y - ground_m, 0.25 * size);
+        bounded = markRound(mask, view, {x + kThrowX * height_m, ground_m, z + kThrowZ * height_m}, kBlobSize * size + kBlobGrowth * height_m, true);
+      }
+      if (!bounded) return mask.markAll();
+    }
+  }
+}
+
+}  // namespace npsee::render

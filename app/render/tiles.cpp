@@ -1,0 +1,62 @@
+#include "app/render/tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee::render {
+
+void TileMask::reset(int width, int height) {
+  width_ = width;
+  height_ = height;
+  columns_ = (width + kSide - 1) / kSide;
+  rows_ = (height + kSide - 1) / kSide;
+  marked_ = 0;
+  grid_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+}
+
+void TileMask::mark(double left, double low, double right, double high) {
+  if (!(right >= 0.0 && high >= 0.0 && left < width_ && low < height_)) return;
+  const auto tile = [](double pixel, int count) { return static_cast<int>(std::clamp(pixel / kSide, 0.0, count - 1.0)); };
+  const int first_column = tile(left, columns_), last_column = tile(right, columns_), last_row = tile(high, rows_);
+  for (int row = tile(low, rows_); row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column) {
+      std::uint8_t& cell = grid_[static_cast<std::size_t>(row * columns_ + column)];
+      marked_ += cell == 0;
+      cell = 1;
+    }
+}
+
+void TileMask::markAll() { mark(0.0, 0.0, width_, height_); }
+
+void TileMesh::upload(const TileMask& mask) {
+  width_ = mask.width();
+  height_ = mask.height();
+  vertices_.clear();
+  for (int row = 0; row < mask.rows(); ++row)
+    for (int column = 0; column < mask.columns(); ++column) {
+      if (!mask.touched(column, row)) continue;
+      const int first = column;
+      while (column + 1 < mask.columns() && mask.touched(column + 1, row)) ++column;
+      const auto x0 = static_cast<float>(first * TileMask::kSide), x1 = static_cast<float>((column + 1) * TileMask::kSide);
+      const auto y0 = static_cast<float>(row * TileMask::kSide), y1 = static_cast<float>((row + 1) * TileMask::kSide);
+      vertices_.insert(vertices_.end(), {x0, y0, x1, y0, x1, y1, x0, y0, x1, y1, x0, y1});
+    }
+  if (!attributes_) {
+    attributes_ = gl::VertexArray::make();
+    corners_ = gl::Buffer::make();
+  }
+  glBindVertexArray(attributes_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(float)), vertices_.data(), GL_STREAM_DRAW);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void TileMesh::draw(const gl::Program& program, float depth) const {
+  program.set("u_size", static_cast<float>(width_), static_cast<float>(height_));
+  program.set("u_depth", depth);
+  glBindVertexArray(attributes_.name());
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size() / 2));
+}
+
+}  // namespace npsee::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/gl/program.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace npsee::render {
+
+/// The parts of a picture that an effect touches, as squares of 16 pixels. An effect of a hundred pieces touches a small
+/// part; clearing, resolving and finishing the rest would cost more than drawing it.
+class TileMask {
+ public:
+  static constexpr int kSide = 16;
+
+  void reset(int width, int height);
+  /// Marks a rectangle given in pixels from the lower left; parts outside the picture do not count.
+  void mark(double left, double low, double right, double high);
+  void markAll();
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return marked_ == 0; }
+  bool touched(int column, int row) const { return grid_[static_cast<std::size_t>(row * columns_ + column)] != 0; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+ private:
+  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  std::size_t marked_ = 0;
+  std::vector<std::uint8_t> grid_;
+};
+
+/// The touched tiles as triangles, for passes that go over them.
+class TileMesh {
+ public:
+  void upload(const TileMask& mask);
+  /// Draws with the program in use, whose vertex shader is tiles.vert, at the given device depth.
+  void draw(const gl::Program& program, float depth) const;
+
+ private:
+  gl::VertexArray attributes_;
+  gl::Buffer corners_;
+  std::vector<float> vertices_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace npsee::render
