@@ -15,7 +15,7 @@ namespace npsee::render {
 namespace {
 
 /// Runs after the left neighbour is taken off: the fastest way through deflate, and for our pictures, whose skies and grounds
-/// hardly change along a row, also one of the smallest (1280x720: 11 ms and 226 kB, level 6 takes 50 ms for 190 kB).
+/// hardly change along a row, also one of the smallest (1280x720: 11 ms and 226 kB, level 6 without a filter 37 ms and 153 kB).
 constexpr int kDeflateLevel = 1, kDeflateStrategy = Z_RLE, kRowFilter = PNG_FILTER_SUB;
 /// Largest picture read, pixels on a side and in all: a header may claim anything.
 constexpr png_uint_32 kMaxReadSide = 16384;
