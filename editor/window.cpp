@@ -53,6 +53,7 @@ Expected<void> runWindow(const WindowedOptions& options, const std::function<voi
   if (!context) return tl::unexpected<Error>(context.error());
   (*context)->makeCurrent();
   GLFWwindow* window = (*context)->window();
+  glfwSetWindowSizeLimits(window, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
   const UiHost host;
   WindowInput input(window);
   EditorOptions chosen = options.editor;

@@ -160,10 +160,15 @@ Expected<void> Document::save() {
   return done;
 }
 
+std::filesystem::path Document::fileFor(const std::filesystem::path& path) {
+  std::filesystem::path out = path;
+  if (!out.filename().empty() && out.extension().empty()) out += ".npsee.json";
+  return out;
+}
+
 Expected<void> Document::saveAs(const std::filesystem::path& path) {
-  std::filesystem::path target = path;
+  std::filesystem::path target = fileFor(path);
   if (target.filename().empty()) return fail(ErrorKind::output, "The name of the file is missing.", "Write a name after the folder.");
-  if (target.extension().empty()) target += ".npsee.json";
   auto done = savePreset(preset(), target);
   if (!done) return done;
   saved_ = now_.preset;

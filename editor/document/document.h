@@ -62,7 +62,9 @@ class Document {
   /// Errors leave the document as it was. Kinds input and output.
   Expected<void> load(const std::filesystem::path& path);
   Expected<void> save();
-  /// Adds ".npsee.json" where the name has no extension; the document then belongs to that file.
+  /// The file that saving as `path` writes: adds ".npsee.json" where the name has no extension.
+  static std::filesystem::path fileFor(const std::filesystem::path& path);
+  /// Saves to fileFor(path), to which the document then belongs.
   Expected<void> saveAs(const std::filesystem::path& path);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 namespace npsee::editor {
@@ -12,11 +13,27 @@ using std::chrono::milliseconds;
 
 /// Patience with the compiler in a window: a quarter of a frame at 60 Hz; a script waits as long as it takes.
 constexpr milliseconds kPatience{4}, kForever{600'000};
+/// The first picture may take a little longer, so that most presets are there from the first frame.
+constexpr milliseconds kFirstPatience{150};
+/// Particles above which evaluating is shared between threads; below, starting them costs more.
+constexpr std::size_t kManyParticles = 50'000;
+
+std::vector<LibraryEntry> readLibrary(const fs::path& folder) {
+  std::vector<LibraryEntry> out;
+  for (const FolderListing::Entry& entry : listFolder(folder).entries) {
+    if (entry.folder) continue;
+    const fs::path path = fs::absolute(folder).lexically_normal() / entry.name;
+    const auto preset = loadPreset(path);
+    if (preset) out.push_back({path, preset->title, preset->description, true});
+    else out.push_back({path, {}, preset.error().text(), false});
+  }
+  return out;
+}
 
 }  // namespace
 
 Session::Session(SessionOptions options) : options_(std::move(options)) {
-  if (!options_.library.empty()) library_ = listFolder(options_.library);
+  if (!options_.library.empty()) library_ = readLibrary(options_.library);
 }
 
 void Session::update(double elapsed_s) {
@@ -27,13 +44,14 @@ void Session::update(double elapsed_s) {
   takeCompiled();
   playback.advance(elapsed_s);
   if (!explosion_) return;
-  explosion_->at(playback.time_s, frame_, render::kSceneFields);
+  const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
+  explosion_->at(playback.time_s, frame_, render::kSceneFields, threads);
   const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
   alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
 }
 
 void Session::takeCompiled() {
-  auto result = compiler_.poll(options_.wait_for_compile || !explosion_ ? kForever : kPatience);
+  auto result = compiler_.poll(options_.wait_for_compile ? kForever : explosion_ ? kPatience : kFirstPatience);
   if (!result) return;
   if (!result->explosion) {
     notices.error = result->explosion.error().text() + "\n  The picture still shows the last good state.";
@@ -122,6 +140,7 @@ void Session::showFiles(FilePanel::Mode mode) {
   files.mode = mode;
   const fs::path start = !document.path().empty() ? document.path().parent_path() : files.listing.folder;
   files.name = mode == FilePanel::Mode::save_as ? document.name() + ".npsee.json" : "";
+  files.replacing.clear();
   files.listing = listFolder(start);
 }
 
@@ -140,6 +159,11 @@ void Session::confirmFiles() {
     return;
   }
   if (files.mode == FilePanel::Mode::open) return open(path);
+  const fs::path target = Document::fileFor(path);
+  if (fs::exists(target, ignored) && target != document.path() && target != files.replacing) {
+    files.replacing = target;
+    return;
+  }
   if (!took(document.saveAs(path))) return;
   notices = {{}, "Saved " + document.path().string()};
   const bool go_on = proceed_after_save_;

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -25,6 +26,14 @@ struct FilePanel {
   enum class Mode { closed, open, save_as } mode = Mode::closed;
   FolderListing listing;
   std::string name;  ///< file name or path as typed
+  std::filesystem::path replacing;  ///< another file that would be overwritten; the button then says so and asks once more
+};
+
+/// A preset of the library. One that cannot be read is listed with its reason.
+struct LibraryEntry {
+  std::filesystem::path path;
+  std::string title, description;
+  bool readable = true;
 };
 
 /// What the person is told. An error stays until it is dismissed or followed by another; a note goes with the next edit.
@@ -86,7 +95,7 @@ class Session {
   void confirmFiles();
   void closeFiles();
 
-  const FolderListing& library() const { return library_; }
+  const std::vector<LibraryEntry>& library() const { return library_; }
 
   /// "name *" as the window's title shows it.
   std::string title() const;
@@ -111,7 +120,7 @@ class Session {
   std::filesystem::path intent_path_;
   bool proceed_after_save_ = false;
   bool quitting_ = false;
-  FolderListing library_;
+  std::vector<LibraryEntry> library_;
 };
 
 }  // namespace npsee::editor

@@ -4,7 +4,12 @@
 #include "editor/panels/panels.h"
 #include "editor/script/parser.h"
 
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
 namespace npsee::editor {
 namespace {
@@ -84,7 +89,24 @@ constexpr std::array kCameraKeys{
     CameraKeyInfo{"KP6", "reference point x+", number(CameraKey::reference_x_plus)},
 };
 
-bool pressed(const KeyStroke& stroke, bool repeat) {
+/// What the tables' shortcuts mean, read once.
+struct Strokes {
+  std::vector<std::optional<KeyStroke>> actions, camera;
+};
+const Strokes& strokes() {
+  static const Strokes kStrokes = [] {
+    Strokes out;
+    const auto read = [](std::string_view text) { return text.empty() ? std::nullopt : std::optional(parseKeyStroke(text).value()); };
+    for (const Action& action : kActions) out.actions.push_back(read(action.shortcut));
+    for (const CameraKeyInfo& info : kCameraKeys) out.camera.push_back(read(info.key));
+    return out;
+  }();
+  return kStrokes;
+}
+
+bool pressed(const std::optional<KeyStroke>& wanted, bool repeat) {
+  if (!wanted) return false;
+  const KeyStroke& stroke = *wanted;
   const ImGuiIO& io = ImGui::GetIO();
   return io.KeyCtrl == stroke.ctrl && io.KeyShift == stroke.shift && io.KeyAlt == stroke.alt && ImGui::IsKeyPressed(stroke.code, repeat);
 }
@@ -96,15 +118,15 @@ std::span<const CameraKeyInfo> cameraKeys() { return kCameraKeys; }
 
 void handleKeys(const PanelContext& ui) {
   if (ImGui::GetIO().WantTextInput) return;
-  for (const Action& action : kActions) {
-    if (action.shortcut.empty() || (action.enabled != nullptr && !action.enabled(ui))) continue;
-    const auto stroke = parseKeyStroke(action.shortcut);
-    const bool repeats = action.label.starts_with("Step");
-    if (stroke && pressed(*stroke, repeats)) action.run(ui);
+  // ImGui closes menus on Escape only in its keyboard navigation, whose arrow keys belong to the camera here.
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) ImGui::ClosePopupToLevel(0, true);
+  for (std::size_t i = 0; i < kActions.size(); ++i) {
+    const Action& action = kActions[i];
+    if (action.enabled != nullptr && !action.enabled(ui)) continue;
+    if (pressed(strokes().actions[i], action.label.starts_with("Step"))) action.run(ui);
   }
-  for (const CameraKeyInfo& info : kCameraKeys)
-    if (const auto stroke = parseKeyStroke(info.key); stroke && pressed(*stroke, true))
-      ui.session.camera = moved(ui.session.camera, static_cast<CameraKey>(info.move), keyStep_m(ui.session.radius_m()));
+  for (std::size_t i = 0; i < kCameraKeys.size(); ++i)
+    if (pressed(strokes().camera[i], true)) ui.session.camera = moved(ui.session.camera, static_cast<CameraKey>(kCameraKeys[i].move), keyStep_m(ui.session.radius_m()));
 }
 
 }  // namespace npsee::editor

@@ -25,7 +25,7 @@ struct MouseUse {
 };
 constexpr std::array kMouse{
     MouseUse{"Left drag", "turn around the effect"}, MouseUse{"Middle drag", "shift the view"}, MouseUse{"Wheel", "nearer, to the pointer"},
-    MouseUse{"Double click", "type a value with a unit"}, MouseUse{"Shift+drag", "ten times finer"}, MouseUse{"Right button", "menus of rows and template"},
+    MouseUse{"Double click", "type a value with a unit"}, MouseUse{"Shift+drag", "ten times finer"}, MouseUse{"Right button", "menus, template views"},
 };
 
 }  // namespace
@@ -38,15 +38,17 @@ void drawHelpPanel(const PanelContext& ui) {
   ImGui::SetCursorScreenPos({at.x + width - ui.px(24), at.y});
   if (iconButton(ui, Icon::cross, "close help", "Close (F1)", false, 24)) ui.state.show_help = false;
   ImGui::SetCursorScreenPos(below);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
   ImGui::BeginChild("help", ImVec2(0, 0));
   for (const MouseUse& use : kMouse) line(ui, use.how, use.what);
-  heading(ui, "Commands");
-  for (const Action& action : actions())
-    if (!action.shortcut.empty()) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
   const std::string step = shortNumber(keyStep_m(ui.session.radius_m()));
   heading(ui, ("Camera, " + step + " m a press").c_str());
   for (const CameraKeyInfo& info : cameraKeys()) line(ui, std::string(info.key), std::string(info.doc));
+  heading(ui, "Commands");
+  for (const Action& action : actions())
+    if (!action.shortcut.empty()) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
   ImGui::EndChild();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace npsee::editor

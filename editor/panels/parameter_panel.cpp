@@ -50,11 +50,18 @@ void drawSection(const PanelContext& ui, Section section, const std::string& wor
 }
 
 void drawSearch(const PanelContext& ui) {
-  ImGui::SetNextItemWidth(-1);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(ui.state.search.empty() ? width : width - ui.px(30));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(10), std::floor(0.5f * (ui.px(28) - ImGui::GetFontSize()))));
   ImGui::InputTextWithHint("##search", "find parameter", &ui.state.search);
   ImGui::PopStyleVar();
   ui.item("field:search");
+  if (ui.state.search.empty()) return;
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x + width - ui.px(26), at.y + ui.px(1)});
+  if (iconButton(ui, Icon::cross, "clear search", "Show all parameters")) ui.state.search.clear();
+  ImGui::SetCursorScreenPos(below);
 }
 
 }  // namespace

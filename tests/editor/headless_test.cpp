@@ -353,6 +353,33 @@ expect undo = 0
   EXPECT_EQ(other->layers[0].speed_mean_mps, 62.0);
 }
 
+TEST_F(EditorScript, SavingOverAnotherFileAsksOnceMore) {
+  test::spill(in("other.npsee.json"), "{\"npsee\": 1}");
+  passes(R"(set fragments.speed_mean 64
+key ctrl+shift+S
+click "field:file name"
+type other
+key Enter
+expect files = save as
+expect dirty = yes
+click "button:save as"
+expect files = closed
+expect window.title = other
+)");
+  EXPECT_EQ(loadPreset(in("other.npsee.json"))->layers.at(0).speed_mean_mps, 64.0);
+}
+
+TEST_F(EditorScript, EscapeClosesMenusAndTheLibraryOpensPresets) {
+  passes(R"(click menu:File
+expect visible item:Open
+key Escape
+expect hidden item:Open
+click preset:air_burst
+expect window.title = air_burst
+expect burst = air
+)");
+}
+
 TEST_F(EditorScript, UnsavedWorkIsAskedAboutBeforeQuittingAndBeforeOpening) {
   passes(R"(set fragments.speed_mean 61
 key ctrl+Q

@@ -108,6 +108,17 @@ TEST_F(EditorWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
   EXPECT_EQ(loadPreset(file_)->layers[0], Layer(loadPreset(std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json")->layers[0]));
 }
 
+TEST_F(EditorWindow, ClosingItAsksAboutUnsavedWork) {
+  drag("thumb:fragments.ejection_angle", -30);
+  EXPECT_TRUE(eventually([this] { return window("work \\* - npsee"); }));
+  display_.askToClose(window_);
+  EXPECT_NE(ended_.wait_for(500ms), std::future_status::ready) << "unsaved work is asked about";
+  key("Control_L+s");
+  EXPECT_TRUE(eventually([this] { return window("work - npsee"); }));
+  display_.askToClose(window_);
+  EXPECT_EQ(state().at("undo"), 1.0);
+}
+
 TEST_F(EditorWindow, ThesisKeysMoveTheCamera) {
   test::spill(folder_ / "camera.txt", "print all\n");
   const auto before = test::npseeRun({"edit", file_, "--headless", "--time", "0.8", "--size", "1200x760", "--script", folder_ / "camera.txt"}).out;

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <stdexcept>
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/wait.h>
@@ -63,6 +64,37 @@ std::string VirtualDisplay::xdotool(const std::vector<std::string>& words) const
   const ProcessResult result = run("/usr/bin/env", arguments, environment());
   if (result.exit_code != 0) throw std::runtime_error("xdotool " + words.front() + ": " + result.err);
   return result.out;
+}
+
+void VirtualDisplay::askToClose(const std::string& window) const {
+  // Xlib is there because GLFW needs it; its headers need not be.
+  struct Message {
+    int type;
+    unsigned long serial;
+    int sent;
+    void* display;
+    unsigned long window, atom;
+    int format;
+    std::array<long, 5> data;
+  };
+  union Event {
+    Message message;
+    std::array<long, 24> room;
+  };
+  void* const x11 = ::dlopen("libX11.so.6", RTLD_NOW);
+  if (x11 == nullptr) throw std::runtime_error("no libX11");
+  const auto open = reinterpret_cast<void* (*)(const char*)>(::dlsym(x11, "XOpenDisplay"));
+  const auto intern = reinterpret_cast<unsigned long (*)(void*, const char*, int)>(::dlsym(x11, "XInternAtom"));
+  const auto send = reinterpret_cast<int (*)(void*, unsigned long, int, long, Event*)>(::dlsym(x11, "XSendEvent"));
+  const auto close = reinterpret_cast<int (*)(void*)>(::dlsym(x11, "XCloseDisplay"));
+  void* const display = open(name_.c_str());
+  if (display == nullptr) throw std::runtime_error("no display " + name_);
+  constexpr int kClientMessage = 33;
+  Event event{};
+  const unsigned long target = std::stoul(window);
+  event.message = {kClientMessage, 0, 1, display, target, intern(display, "WM_PROTOCOLS", 0), 32, {static_cast<long>(intern(display, "WM_DELETE_WINDOW", 0)), 0, 0, 0, 0}};
+  send(display, target, 0, 0, &event);
+  close(display);
 }
 
 }  // namespace npsee::test

@@ -18,6 +18,8 @@ class VirtualDisplay {
 
   /// Environment that makes a program use it.
   std::map<std::string, std::string> environment() const { return {{"DISPLAY", name_}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}; }
+  /// Asks a window to close, as the cross in its title bar does (xdotool would destroy it).
+  void askToClose(const std::string& window) const;
   /// Runs xdotool with these words and returns what it prints; throws if it fails.
   std::string xdotool(const std::vector<std::string>& words) const;
 
