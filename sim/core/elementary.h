@@ -80,8 +80,12 @@ NPSEE_KERNEL_INLINE void sineCosine(T x, T& sine, T& cosine) {
   const T n = shifted - kRounder;
   const T r = ((x - n * 1.57079632673412561417) - n * 6.07710050630396597660e-11) - n * 2.02226624879595063154e-21;
   const T r2 = r * r;
-  const T s = r + r * r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040 + r2 * (1.0 / 362880 + r2 * (-1.0 / 39916800 + r2 * (1.0 / 6227020800 + r2 * (-1.0 / 1307674368000)))))));
-  const T c = 1.0 + r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320 + r2 * (-1.0 / 3628800 + r2 * (1.0 / 479001600 + r2 * (-1.0 / 87178291200 + r2 * (1.0 / 20922789888000))))))));
+  // Taylor series to r^15 and r^16, grouped by squares.
+  const T r4 = r2 * r2, r8 = r4 * r4;
+  const T sine_part = ((-1.0 / 6 + r2 * (1.0 / 120)) + r4 * (-1.0 / 5040 + r2 * (1.0 / 362880))) + r8 * ((-1.0 / 39916800 + r2 * (1.0 / 6227020800)) + r4 * (-1.0 / 1307674368000));
+  const T cosine_part = ((-0.5 + r2 * (1.0 / 24)) + r4 * (-1.0 / 720 + r2 * (1.0 / 40320))) + r8 * ((-1.0 / 3628800 + r2 * (1.0 / 479001600)) + r4 * (-1.0 / 87178291200 + r2 * (1.0 / 20922789888000)));
+  const T s = r + r * r2 * sine_part;
+  const T c = 1.0 + r2 * cosine_part;
   const auto quadrant = bitsOf(shifted);
   const auto swapped = isOdd(quadrant);
   const auto sine_sign = (quadrant & 2) << 62, cosine_sign = ((quadrant + 1) & 2) << 62;

@@ -26,12 +26,10 @@ std::array<double, 4> uniformBlock(const ParticleIdentity& particle, std::uint32
 
 namespace {
 
-/// Horner's rule over coefficients from the constant upward.
-template <std::size_t N>
-double polynomial(const double (&c)[N], double x) {
-  double out = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) out = out * x + c[i];
-  return out;
+/// Eight coefficients from the constant upward, grouped by squares to shorten the chain of dependent operations (Estrin).
+double polynomial(const double (&c)[8], double x) {
+  const double x2 = x * x;
+  return ((c[0] + c[1] * x) + (c[2] + c[3] * x) * x2) + ((c[4] + c[5] * x) + (c[6] + c[7] * x) * x2) * (x2 * x2);
 }
 
 constexpr double kCentreTop[] = {3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3, 1.3731693765509461125e4,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 namespace npsee::explosion {
@@ -23,25 +24,28 @@ constexpr std::uint8_t kNoRest = 255;
 
 /// Compiled state of up to kChunkParticles particles of one layer.
 struct Chunk {
+  /// All arrays live in `memory`, which must outlive the chunk.
+  explicit Chunk(std::pmr::memory_resource* memory)
+      : arcs(memory), first_arc(memory), last_arc(memory), rest_arc(memory), starts(memory), first_row(memory), birth_s(memory), lifetime_s(memory), size_m(memory),
+        axis_x(memory), axis_y(memory), axis_z(memory), phase_rad(memory), rate_radps(memory) {}
+
   std::size_t first = 0;    ///< index of the first particle in the frame
   int count = 0;
 
-  std::vector<Arc> arcs;                 ///< all arcs, particle after particle; one spare at the end
-  std::vector<std::uint32_t> first_arc;  ///< per particle
-  std::vector<std::uint8_t> last_arc;    ///< per particle: number of its last arc
-  std::vector<std::uint8_t> rest_arc;    ///< per particle: number of the arc from which it lies still, or kNoRest
+  std::pmr::vector<Arc> arcs;                 ///< all arcs, particle after particle; one spare at the end
+  std::pmr::vector<std::uint32_t> first_arc;  ///< per particle
+  std::pmr::vector<std::uint8_t> last_arc;    ///< per particle: number of its last arc
+  std::pmr::vector<std::uint8_t> rest_arc;    ///< per particle: number of the arc from which it lies still, or kNoRest
 
   // Start times of arcs 1, 2, ... rounded down to float, four particles side by side, padded with infinity: where to look for
   // the arc of a given age.
-  std::vector<float> starts;
-  std::vector<std::uint32_t> first_row;  ///< per four particles, in rows of `starts`; one more at the end
+  std::pmr::vector<float> starts;
+  std::pmr::vector<std::uint32_t> first_row;  ///< per four particles, in rows of `starts`; one more at the end
 
-  std::vector<double> birth_s;     ///< empty: all at Layer start
-  std::vector<double> lifetime_s;
-  std::vector<float> size_m;
-  std::vector<float> axis_x, axis_y, axis_z, phase_rad, rate_radps;  ///< tumbling
-
-  std::size_t bytes() const;
+  std::pmr::vector<double> birth_s;     ///< empty: all at Layer start
+  std::pmr::vector<double> lifetime_s;
+  std::pmr::vector<float> size_m;
+  std::pmr::vector<float> axis_x, axis_y, axis_z, phase_rad, rate_radps;  ///< tumbling
 };
 
 }  // namespace npsee::explosion

@@ -6,6 +6,7 @@
 #include "sim/preset/stream.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,12 @@ LayerConstants constantsOf(const CompileJob& job) {
   c.opacity_over_life = layer.opacity_over_life;
   c.size_over_life = layer.size_over_life;
   return c;
+}
+
+/// Bytes a particle of the layer is likely to need: its arcs with their start times, and what it draws.
+std::size_t expectedBytes(const Layer& layer) {
+  const double bounces = layer.collide ? std::min(static_cast<double>(layer.bounce_limit) + 1.0, 6.0) : 0.0;
+  return 60 + static_cast<std::size_t>((1.0 + bounces) * 48.0);
 }
 
 /// Everything the chunks of one layer share while it is compiled.
@@ -157,9 +164,10 @@ void findArcsOfEight(const LayerBuild& build, const Launches& from, int first, A
   }
 }
 
+/// The next float at or below x >= 0.
 float roundedDown(double x) {
   const auto rounded = static_cast<float>(x);
-  return rounded > x ? std::nextafterf(rounded, 0.0f) : rounded;
+  return rounded > x ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) - 1) : rounded;
 }
 
 /// Keeps the arcs of the four particles whose lanes begin at `first_lane`.
@@ -201,12 +209,6 @@ void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chun
 
 }  // namespace
 
-std::size_t Chunk::bytes() const {
-  const auto of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
-  return sizeof(Chunk) + of(arcs) + of(first_arc) + of(last_arc) + of(rest_arc) + of(starts) + of(first_row) + of(birth_s) + of(lifetime_s) + of(size_m) + of(axis_x) + of(axis_y) +
-         of(axis_z) + of(phase_rad) + of(rate_radps);
-}
-
 Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle, double age_s) {
   const auto p = static_cast<std::size_t>(particle);
   const double age = std::clamp(age_s, 0.0, chunk.lifetime_s[p]);
@@ -237,7 +239,10 @@ CompiledLayer compileLayer(const CompileJob& job) {
                    child || job.layer.duration_s > 0.0, out.constants.origin_y - job.ground.height(0.0, 0.0)};
   if (child) build.events = parentEvents(*job.parent, job.layer.trigger);
   out.count = build.per_event * (child ? build.events.size() : 1);
-  out.chunks.resize((out.count + kChunkParticles - 1) / kChunkParticles);
+  out.memory = std::make_unique<Arena>(out.count * expectedBytes(job.layer));
+  out.chunks.reserve((out.count + kChunkParticles - 1) / kChunkParticles);
+  // One by one: copies of a chunk would leave the arena.
+  for (std::size_t first = 0; first < out.count; first += kChunkParticles) out.chunks.emplace_back(out.memory.get());
   parallelFor(job.threads, out.chunks.size(), [&](std::size_t i) {
     Chunk& chunk = out.chunks[i];
     chunk.first = out.first + i * kChunkParticles;

@@ -2,8 +2,11 @@
 
 #include "sim/explosion/kernels.h"
 
+#include "sim/core/arena.h"
+
 #include <npsee/explosion.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@ namespace npsee::explosion {
 /// All of a layer's particles, ready to be evaluated.
 struct CompiledLayer {
   LayerConstants constants;
+  std::unique_ptr<Arena> memory;  ///< holds the chunks' arrays
   std::vector<Chunk> chunks;
   std::size_t first = 0, count = 0;
   std::string name;

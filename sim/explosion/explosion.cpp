@@ -153,8 +153,7 @@ double Explosion::duration_s() const { return impl_->duration_s; }
 
 std::size_t Explosion::memoryBytes() const {
   std::size_t bytes = sizeof(Impl);
-  for (const CompiledLayer& layer : impl_->layers)
-    for (const Chunk& chunk : layer.chunks) bytes += chunk.bytes();
+  for (const CompiledLayer& layer : impl_->layers) bytes += layer.memory->bytes() + layer.chunks.capacity() * sizeof(Chunk);
   return bytes;
 }
 
