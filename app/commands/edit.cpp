@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string file, script, screenshot, size = "1440x900", time, scale = "1";
+  std::string file, script, screenshot, library, size = "1440x900", time, scale = "1";
   bool headless = false, print_state = false;
 };
 
@@ -50,7 +50,9 @@ Expected<std::pair<int, int>> parseSize(const std::string& text) {
 Expected<editor::EditorOptions> editorOptions(const Options& options) {
   editor::EditorOptions out;
   out.file = options.file;
-  out.library = shippedPresets();
+  out.library = options.library.empty() ? shippedPresets() : fs::path(options.library);
+  std::error_code ignored;
+  if (!options.library.empty() && !fs::is_directory(options.library, ignored)) return fail(ErrorKind::input, "--library " + options.library + " is no folder.", "Name a folder with presets.");
   if (!options.time.empty()) {
     const auto time = parseQuantity(options.time, Unit::second);
     if (!time || *time < 0.0) return fail(ErrorKind::usage, "--time " + options.time + " is not a time.", "Write seconds after the burst, e.g. 0.8.");
@@ -101,6 +103,7 @@ void addEdit(CLI::App& app, Outcome& outcome) {
   command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
   command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");
   command->add_option("--size", options->size, "Size of the window in pixels; 1440x900 by default")->type_name("WxH");
+  command->add_option("--library", options->library, "Folder whose presets the library lists; the shipped ones by default")->type_name("FOLDER");
   command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");
   command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default")->type_name("FACTOR");
   command->add_flag("--print-state", options->print_state, "Print the editor's state when the window is closed");

@@ -73,6 +73,7 @@ class Session {
   void frameAll();
   /// Width over height of the viewport. The effect stays framed in the new shape if nobody has moved the camera since.
   void setAspect(double aspect);
+  double aspect() const { return aspect_; }
   /// Radius by which keyboard steps are sized, m.
   double radius_m() const;
 

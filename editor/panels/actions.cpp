@@ -29,6 +29,12 @@ bool showsView(Ui ui) {
   return ui.session.template_view == view;
 }
 
+/// A view along an axis that has the whole effect in sight.
+void lookFrom(Ui ui, const char* name) {
+  if (ui.session.explosion() == nullptr) return;
+  if (const auto camera = render::parseCamera(name, ui.session.explosion()->extent(), ui.session.aspect())) ui.session.camera = *camera;
+}
+
 void changeSpeed(Ui ui, int by) {
   Playback& playback = ui.session.playback;
   for (int i = 0; i < static_cast<int>(Playback::kSpeeds.size()); ++i)
@@ -51,6 +57,9 @@ const std::array kActions{
     Action{"Edit", "Undo", "ctrl+Z", [](Ui ui) { ui.session.document.undo(); }, canUndo},
     Action{"Edit", "Redo", "ctrl+shift+Z", [](Ui ui) { ui.session.document.redo(); }, canRedo},
     Action{"View", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }},
+    Action{"View", "From the front", "1", [](Ui ui) { lookFrom(ui, "front"); }},
+    Action{"View", "From the side", "2", [](Ui ui) { lookFrom(ui, "side"); }},
+    Action{"View", "From above", "3", [](Ui ui) { lookFrom(ui, "top"); }},
     Action{"View", "Template as splines", "", showView<splines>, nullptr, showsView<splines>, true},
     Action{"View", "Template as polygons", "", showView<polygons>, nullptr, showsView<polygons>},
     Action{"View", "Template as surface", "", showView<surface>, nullptr, showsView<surface>},

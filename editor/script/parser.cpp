@@ -7,7 +7,7 @@
 namespace npsee::editor {
 namespace {
 
-constexpr std::array<ScriptCommandInfo, 17> kCommands{{
+constexpr std::array<ScriptCommandInfo, 19> kCommands{{
     {"set", "PARAM VALUE", 2, 2, "Types VALUE, with any fitting unit, into the parameter's row. PARAM is LAYER.key or a burst key; also `time`."},
     {"drag", "ITEM DX [DY]", 2, 3, "Presses on the item (a parameter: on its slider's thumb), moves by DX, DY pixels and releases."},
     {"click", "ITEM", 1, 1, "Clicks the middle of a named item."},
@@ -15,6 +15,8 @@ constexpr std::array<ScriptCommandInfo, 17> kCommands{{
     {"rightclick", "ITEM", 1, 1, "Clicks it with the right button."},
     {"hover", "ITEM", 1, 1, "Moves the pointer onto it and waits for its tooltip."},
     {"key", "KEY[+KEY...]", 1, 1, "Presses a key with modifiers: Up, KP8, F, ctrl+shift+S."},
+    {"hold", "ctrl|shift|alt", 1, 1, "Holds a modifier down over the following commands."},
+    {"let", "ctrl|shift|alt", 1, 1, "Lets it go."},
     {"type", "TEXT", 1, 1, "Types the rest of the line."},
     {"wait", "FRAMES", 1, 1, "Lets so many frames of 1/60 s pass."},
     {"mouse", "X Y", 2, 2, "Moves the pointer, pixels from the top left."},

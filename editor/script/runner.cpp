@@ -98,6 +98,10 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
     steps_.push_back({.key = std::pair(stroke, true)});
     steps_.push_back({.key = std::pair(stroke, false)});
     steps_.push_back({});
+  } else if (name == "hold" || name == "let") {
+    const std::string& modifier = command.arguments[0];
+    if (modifier != "ctrl" && modifier != "shift" && modifier != "alt") return bad(command, "\"" + printable(modifier) + "\" is no modifier.", "Write ctrl, shift or alt.");
+    steps_.push_back({.modifier = std::pair(modifier[0], name == "hold")});
   } else if (name == "type") {
     steps_.push_back({.text = command.arguments[0]});
     steps_.push_back({});
@@ -199,7 +203,8 @@ void ScriptRunner::dragFrom(ImVec2 at, float dx, float dy) {
     steps_.push_back({.mouse = ImVec2(at.x + std::round(dx * share), at.y + std::round(dy * share))});
   }
   steps_.push_back({.button = std::pair(0, false)});
-  steps_.push_back({});
+  // A drag that follows at the same place is no double click.
+  steps_.insert(steps_.end(), kApart, Step{});
 }
 
 void ScriptRunner::click(ImVec2 at, int button, int times) {
@@ -219,9 +224,16 @@ void ScriptRunner::apply(const Step& step) {
   if (step.key) {
     const auto& [stroke, down] = *step.key;
     io.KeysDown[stroke.code] = down;
-    io.KeyCtrl = down && stroke.ctrl;
-    io.KeyShift = down && stroke.shift;
-    io.KeyAlt = down && stroke.alt;
+    io.KeyCtrl = ctrl_ || (down && stroke.ctrl);
+    io.KeyShift = shift_ || (down && stroke.shift);
+    io.KeyAlt = alt_ || (down && stroke.alt);
+  }
+  if (step.modifier) {
+    const auto [letter, down] = *step.modifier;
+    (letter == 'c' ? ctrl_ : letter == 's' ? shift_ : alt_) = down;
+    io.KeyCtrl = ctrl_;
+    io.KeyShift = shift_;
+    io.KeyAlt = alt_;
   }
   if (!step.text.empty()) io.AddInputCharactersUTF8(step.text.c_str());
   io.MouseWheel = step.wheel;

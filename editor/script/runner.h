@@ -33,6 +33,7 @@ class ScriptRunner {
     std::optional<ImVec2> mouse = {};
     std::optional<std::pair<int, bool>> button = {};
     std::optional<std::pair<KeyStroke, bool>> key = {};
+    std::optional<std::pair<char, bool>> modifier = {};  ///< its first letter
     std::string text = {};
     float wheel = 0.0f;
     std::optional<std::filesystem::path> picture = {};
@@ -58,6 +59,7 @@ class ScriptRunner {
   std::function<void(const std::string&)> print_;
   std::size_t at_ = 0;
   int attempts_ = 0;
+  bool ctrl_ = false, shift_ = false, alt_ = false;  ///< held
   std::deque<Step> steps_;
   std::map<std::string, std::string> noted_;
   std::optional<std::filesystem::path> picture_;

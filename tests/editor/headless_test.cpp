@@ -29,7 +29,8 @@ class EditorScript : public testing::Test {
   }
   /// A copy, so that scripts may save.
   std::string preset() {
-    const std::string copy = folder_ / "work.npsee.json";
+    std::filesystem::create_directories(folder_ / below_);
+    const std::string copy = in("work.npsee.json");
     if (!std::filesystem::exists(copy)) std::filesystem::copy_file(kClassic, copy);
     return copy;
   }
@@ -38,8 +39,9 @@ class EditorScript : public testing::Test {
     EXPECT_TRUE(image.has_value()) << name;
     return image ? std::move(*image) : render::Image{};
   }
-  std::string in(const std::string& name) { return folder_ / name; }
+  std::string in(const std::string& name) { return folder_ / (below_ + name); }
 
+  std::string below_;  ///< where the document lies in the folder
   test::TemporaryFolder folder_;
 };
 
@@ -122,6 +124,71 @@ expect wind = 10,0,0
 click button:reset:wind
 expect wind = 0,0,0
 )");
+}
+
+TEST_F(EditorScript, ShiftDragsTenTimesFinerAndControlClickTypes) {
+  passes(R"(set fragments.ejection_angle 45
+drag fragments.ejection_angle 40
+expect fragments.ejection_angle > 60
+key ctrl+Z
+hold shift
+drag fragments.ejection_angle 40
+let shift
+expect fragments.ejection_angle > 45
+expect fragments.ejection_angle < 50
+hold ctrl
+click slider:fragments.ejection_angle
+let ctrl
+expect typing = fragments.ejection_angle
+type 30
+key Enter
+expect fragments.ejection_angle = 30
+)");
+}
+
+TEST_F(EditorScript, AClickOnTheTrackJumpsThereAndADoubleClickDoesNot) {
+  passes(R"(set fragments.ejection_angle 10
+click slider:fragments.ejection_angle
+expect fragments.ejection_angle >= 44
+expect fragments.ejection_angle <= 46
+expect undo = 2
+key ctrl+Z
+doubleclick slider:fragments.ejection_angle
+key Escape
+wait 40
+expect fragments.ejection_angle = 10
+expect undo = 1
+)");
+}
+
+TEST_F(EditorScript, StandardViewsLookAlongTheAxes) {
+  passes("key 1\nexpect eye.z > 10\nkey 3\nexpect eye.y > 10\nnote\nkey 2\nexpect eye.y < noted\n");
+}
+
+TEST_F(EditorScript, ThousandsOfRandomInputsBreakNothing) {
+  const char* const keys[] = {"Up", "KP8", "Home", "Space", "F", "1", "L", "Period", "F1", "F2", "F5", "Escape", "Enter", "Delete", "Tab", "ctrl+Z", "ctrl+shift+Z", "ctrl+D", "ctrl+N", "ctrl+O",
+                              "ctrl+S", "ctrl+shift+S", "ctrl+Q", "ctrl+Delete", "ctrl+shift+N", "alt+Up", "alt+Down", "Backspace", "ctrl+A"};
+  const char* const texts[] = {"1", "1e9", "-", "nan", "name", "12 cm", "{}", "'", "\xc3\xa4\xe2\x82\xac", "[[0,1],[1,0]]"};
+  below_ = "a/b/c/d/";  // so that no random walk through the folders leaves the test's own
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    unsigned state = seed * 2654435761u;
+    const auto draw = [&state](unsigned limit) {
+      state = state * 1664525u + 1013904223u;
+      return (state >> 8) % limit;
+    };
+    std::string script;
+    for (int i = 0; i < 900; ++i) {
+      const unsigned kind = draw(12);
+      if (kind < 5) script += "mouse " + std::to_string(draw(1024)) + ' ' + std::to_string(draw(640)) + "\npress\n" + (draw(3) == 0 ? "mouse " + std::to_string(draw(1024)) + ' ' + std::to_string(draw(640)) + '\n' : "") + "release\n";
+      else if (kind == 5) script += "press right\nrelease right\n";
+      else if (kind == 6) script += "wheel " + std::to_string(static_cast<int>(draw(9)) - 4) + '\n';
+      else if (kind == 7) script += "press\nrelease\npress\nrelease\n";
+      else if (kind < 10) script += "key " + std::string(keys[draw(std::size(keys))]) + '\n';
+      else script += "type " + std::string(texts[draw(std::size(texts))]) + '\n';
+    }
+    const auto result = run(script, {"--size", "1024x640", "--library", folder_.path(), "--screenshot", in("end.png")});
+    EXPECT_EQ(result.exit_code, 0) << "seed " << seed << '\n' << result.err;
+  }
 }
 
 TEST_F(EditorScript, EveryKindOfWidgetSetsItsParameter) {
@@ -483,6 +550,9 @@ TEST(EditCommand, UnreadableInputsExitThreeAndUnwritablePicturesExitFive) {
   const auto script = test::npseeRun({"edit", "--headless", "--script", folder / "none.txt"});
   EXPECT_EQ(script.exit_code, 3);
   EXPECT_NE(script.err.find("none.txt"), std::string::npos);
+  const auto library = test::npseeRun({"edit", "--headless", "--screenshot", folder / "x.png", "--library", folder / "nowhere"});
+  EXPECT_EQ(library.exit_code, 3);
+  EXPECT_NE(library.err.find("nowhere is no folder."), std::string::npos);
   const auto picture = test::npseeRun({"edit", "--headless", "--screenshot", folder / "no folder/x.png"});
   EXPECT_EQ(picture.exit_code, 5);
   EXPECT_NE(picture.err.find("x.png"), std::string::npos) << picture.err;
