@@ -23,6 +23,9 @@ struct Options {
 
 constexpr std::array kColumns{"layer", "index", "alive", "age_s", "x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps", "size_m", "r", "g", "b", "a", "bounces"};
 
+/// Bytes of text written at a time.
+constexpr std::size_t kPiece = 1 << 20;
+
 /// Shortest text that reads back as the same double.
 void append(std::string& out, double value) {
   char text[40];
@@ -35,31 +38,27 @@ std::array<double, 12> numbersOf(const ExactFrame& f, std::size_t i) {
   return {f.age[i], f.x[i], f.y[i], f.z[i], f.vx[i], f.vy[i], f.vz[i], f.size[i], f.r[i], f.g[i], f.b[i], f.a[i]};
 }
 
-void appendCsv(std::string& out, const LayerSpan& layer, const ExactFrame& f) {
-  for (std::size_t i = 0; i < layer.count; ++i) {
-    const std::size_t at = layer.first + i;
-    out += layer.name + ',' + std::to_string(i) + ',' + (f.alive[at] ? '1' : '0');
-    for (const double number : numbersOf(f, at)) {
-      out += ',';
-      append(out, number);
-    }
-    out += ',' + std::to_string(f.bounces[at]) + '\n';
+void appendCsv(std::string& out, const LayerSpan& layer, const ExactFrame& f, std::size_t i) {
+  const std::size_t at = layer.first + i;
+  out += layer.name + ',' + std::to_string(i) + ',' + (f.alive[at] ? '1' : '0');
+  for (const double number : numbersOf(f, at)) {
+    out += ',';
+    append(out, number);
   }
+  out += ',' + std::to_string(f.bounces[at]) + '\n';
 }
 
-void appendJson(std::string& out, const LayerSpan& layer, const ExactFrame& f, bool& first) {
-  for (std::size_t i = 0; i < layer.count; ++i) {
-    const std::size_t at = layer.first + i;
-    out += first ? "\n" : ",\n";
-    first = false;
-    out += "{\"layer\":\"" + layer.name + "\",\"index\":" + std::to_string(i) + ",\"alive\":" + (f.alive[at] ? '1' : '0');
-    const auto numbers = numbersOf(f, at);
-    for (std::size_t column = 0; column < numbers.size(); ++column) {
-      out += ",\"" + std::string(kColumns[column + 3]) + "\":";
-      append(out, numbers[column]);
-    }
-    out += ",\"bounces\":" + std::to_string(f.bounces[at]) + '}';
+void appendJson(std::string& out, const LayerSpan& layer, const ExactFrame& f, std::size_t i, bool& first) {
+  const std::size_t at = layer.first + i;
+  out += first ? "\n" : ",\n";
+  first = false;
+  out += "{\"layer\":\"" + layer.name + "\",\"index\":" + std::to_string(i) + ",\"alive\":" + (f.alive[at] ? '1' : '0');
+  const auto numbers = numbersOf(f, at);
+  for (std::size_t column = 0; column < numbers.size(); ++column) {
+    out += ",\"" + std::string(kColumns[column + 3]) + "\":";
+    append(out, numbers[column]);
   }
+  out += ",\"bounces\":" + std::to_string(f.bounces[at]) + '}';
 }
 
 int dump(const Options& options) {
@@ -73,7 +72,7 @@ int dump(const Options& options) {
 
   ExactFrame frame;
   (*explosion)->at(*time, frame, kVelocity | kLook | kBounces | kAge, threads);
-  // Written layer by layer, so that a million particles need no second copy as text.
+  // Written piece by piece, so that millions of particles need no second copy as text.
   const bool csv = options.format == "csv";
   std::string text;
   if (csv) {
@@ -83,12 +82,14 @@ int dump(const Options& options) {
     text = "[";
   }
   bool first = true;
-  for (const LayerSpan& layer : (*explosion)->layers()) {
-    if (csv) appendCsv(text, layer, frame);
-    else appendJson(text, layer, frame, first);
-    if (const int code = writeResult(text); code != 0) return code;
-    text.clear();
-  }
+  for (const LayerSpan& layer : (*explosion)->layers())
+    for (std::size_t i = 0; i < layer.count; ++i) {
+      if (csv) appendCsv(text, layer, frame, i);
+      else appendJson(text, layer, frame, i, first);
+      if (text.size() < kPiece) continue;
+      if (const int code = writeResult(text); code != 0) return code;
+      text.clear();
+    }
   return writeResult(csv ? text : text + "\n]\n");
 }
 

@@ -10,6 +10,9 @@
 namespace npsee {
 namespace {
 
+/// Memory a compiled preset may take, bytes.
+constexpr double kMaxMemory = 4.0 * 1024 * 1024 * 1024;
+
 std::string at(std::size_t layer, std::string_view key = {}) {
   std::string out = "/layers/" + std::to_string(layer);
   if (!key.empty()) {
@@ -79,22 +82,36 @@ void checkDirections(const Preset& preset, std::vector<PresetFault>& faults) {
 
 }  // namespace
 
-double particleBudget(const Preset& preset) {
-  // Children are counted per parent, over the chain of parents; the chain's length is bounded against cycles.
-  double total = 0.0;
-  for (const Layer& layer : preset.layers) {
-    double count = static_cast<double>(particleCount(layer));
-    const Layer* child = &layer;
-    for (std::size_t hop = 0; hop < preset.layers.size() && !child->parent.empty(); ++hop) {
-      const int index = findLayer(preset, child->parent);
-      if (index < 0) break;
-      const Layer& parent = preset.layers[static_cast<std::size_t>(index)];
-      const double events = child->trigger == Trigger::bounce ? static_cast<double>(parent.collide ? parent.bounce_limit + 1 : 0) : 1.0;
-      count *= events * static_cast<double>(particleCount(parent));
-      child = &parent;
-    }
-    if (layer.enabled) total += count;
+namespace {
+
+/// Particles of one layer at most: per event, times the events of all parent particles along the chain of parents. The chain's length
+/// is bounded against cycles.
+double mostParticles(const Preset& preset, const Layer& layer) {
+  double count = static_cast<double>(particleCount(layer));
+  const Layer* child = &layer;
+  for (std::size_t hop = 0; hop < preset.layers.size() && !child->parent.empty(); ++hop) {
+    const int index = findLayer(preset, child->parent);
+    if (index < 0) break;
+    const Layer& parent = preset.layers[static_cast<std::size_t>(index)];
+    const double events = child->trigger == Trigger::bounce ? static_cast<double>(parent.collide ? parent.bounce_limit + 1 : 0) : 1.0;
+    count *= events * static_cast<double>(particleCount(parent));
+    child = &parent;
   }
+  return layer.enabled ? count : 0.0;
+}
+
+}  // namespace
+
+double particleBudget(const Preset& preset) {
+  double total = 0.0;
+  for (const Layer& layer : preset.layers) total += mostParticles(preset, layer);
+  return total;
+}
+
+double memoryBudget(const Preset& preset) {
+  // 44 bytes an arc and 4 for finding it; 60 for what a particle draws.
+  double total = 0.0;
+  for (const Layer& layer : preset.layers) total += mostParticles(preset, layer) * (60.0 + 48.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
   return total;
 }
 
@@ -109,6 +126,9 @@ std::vector<PresetFault> relationFaults(const Preset& preset) {
     if (const double budget = particleBudget(preset); budget > static_cast<double>(kMaxParticles))
       faults.push_back({"/layers", "", "the layers start " + shortest(budget) + " particles, above the limit of " + std::to_string(kMaxParticles) + ".",
                         "Lower a density or count; children are counted once per event of each parent particle."});
+    else if (const double bytes = memoryBudget(preset); bytes > kMaxMemory)
+      faults.push_back({"/layers", "", "the layers may take " + shortest(std::ceil(bytes / (1 << 20))) + " MiB with all their bounces, above the limit of " + shortest(kMaxMemory / (1 << 20)) + " MiB.",
+                        "Lower a bounce_limit, density or count."});
   }
   return faults;
 }

@@ -18,4 +18,7 @@ std::vector<PresetFault> relationFaults(const Preset& preset);
 /// Particles over all layers, parents multiplied in with their largest number of events; saturates.
 double particleBudget(const Preset& preset);
 
+/// Bytes the compiled preset takes at most, every particle bouncing as often as it may.
+double memoryBudget(const Preset& preset);
+
 }  // namespace npsee

@@ -73,6 +73,12 @@ TEST(Presets, ABillionParticlesAreRefusedWithTheLimitNamed) {
   EXPECT_NE(children.find("the layers start 9100000 particles"), std::string::npos) << children;
 }
 
+TEST(Presets, MoreMemoryThanThereMayBeIsRefusedBeforeItIsTaken) {
+  const std::string text = faultsOf(R"({"npsee":1,"layers":[{"count":4000000,"bounce_limit":64}]})");
+  EXPECT_NE(text.find("MiB with all their bounces, above the limit of 4096 MiB.\n  Lower a bounce_limit"), std::string::npos) << text;
+  EXPECT_EQ(faultsOf(R"({"npsee":1,"layers":[{"count":4000000}]})"), "");
+}
+
 TEST(Presets, NamesParentsCyclesAndDirectionsAreChecked) {
   EXPECT_NE(faultsOf(R"({"npsee":1,"layers":[{},{}]})").find("the name \"fragments\" is taken by layer 0"), std::string::npos);
   EXPECT_NE(faultsOf(R"({"npsee":1,"layers":[{"name":"a/b"}]})").find("does not fit"), std::string::npos);
