@@ -17,7 +17,7 @@ constexpr double kWeights[7][6] = {{},
                                    {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
 constexpr double kErrors[7] = {71.0 / 57600, 0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
-constexpr double kLongestStep_s = 16.0, kShortestStep_s = 1e-6;
+constexpr double kLongestStep_s = 16.0, kShortestStep_s = 1e-9;
 
 /// x^(-1/5) to about 1e-4, from its bit pattern two steps of Newton's method, for the step size; x > 0.
 NPSEE_KERNEL_INLINE double inverseFifthRoot(double x) {
@@ -70,12 +70,15 @@ __attribute__((noinline)) void attempt(const Setup& s, Flock<R>& f) {
   stage<R, 5>(s, f, at);
   stage<R, 6>(s, f, f.y1);
   f.error = number<R>(0.0);
+  R nothing = number<R>(0.0);  // 0, or not a number where any state is not: comparisons would lose that
   for (int i = 0; i < kStates; ++i) {
     R sum = kErrors[0] * f.k[0][i];
     for (int l = 2; l < 7; ++l) sum += kErrors[l] * f.k[l][i];
     const R scaled = f.h * sum * f.error_scale[i];
     f.error = larger(f.error, larger(scaled, R(-scaled)));
+    nothing += 0.0 * scaled;
   }
+  f.error += nothing;
 }
 
 /// Puts a shot into a lane.
@@ -150,7 +153,7 @@ unsigned settle(const Setup& s, const ShotConstants* shots, Progress* all_progre
     Progress& progress = all_progress[f.who[i]];
     const double error = lane(f.error, i), h = lane(f.h, i);
     progress.flight.evaluations += 6;
-    const bool accept = error <= 1.0 || h <= kShortestStep_s;
+    const bool accept = error <= 1.0;
     // Also where the error is not a number.
     double factor = 0.2;
     if (error < 1e-4) factor = 5.0;
@@ -159,7 +162,11 @@ unsigned settle(const Setup& s, const ShotConstants* shots, Progress* all_progre
     double next = h * factor;
     next = next < kShortestStep_s ? kShortestStep_s : next < kLongestStep_s ? next : kLongestStep_s;
     setLane(next_h, i, next);
-    if (!accept) continue;
+    if (!accept) {
+      // No step is short enough: a body so light that the air stops it within a nanosecond. The flight ends.
+      if (h <= kShortestStep_s) finished |= 1u << i;
+      continue;
+    }
     setLane(accepted, i, 1.0);
     ++progress.flight.steps;
     const bool apex = lane(f.y[4], i) > 0.0 && lane(f.y1[4], i) <= 0.0;

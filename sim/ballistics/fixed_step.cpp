@@ -4,6 +4,7 @@
 #include "sim/core/elementary.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace npsee::ballistics {
 namespace {
@@ -44,10 +45,11 @@ class Fixed {
     std::copy(step.k[6], step.k[6] + kStates, step.k[0]);
   }
 
-  bool finite() const {
-    double sum = 0.0;
-    for (int i = 0; i < kStates; ++i) sum += step.y1[i] * 0.0 + step.k[6][i] * 0.0;
-    return sum == 0.0;
+  /// Numbers of a flight, not of an explosion; anything not a number fails too.
+  bool sane() const {
+    for (int i = 0; i < kStates; ++i)
+      if (!(std::fabs(step.y1[i]) < 1e12 && std::fabs(step.k[6][i]) < 1e12)) return false;
+    return true;
   }
 
   Step step;
@@ -108,7 +110,7 @@ void flyFixed(const Setup& setup, const ShotConstants& shot, Progress& progress,
   for (int count = 1;; ++count) {
     flight.advance();
     // A step far too long for the drag makes an explicit method explode: the flight ends instead.
-    if (!flight.finite()) return;
+    if (!flight.sane()) return;
     const bool over = findEvents(setup, shot, flight.step, progress);
     if (recorder) recorder->step(flight.step);
     flight.accept(count);
