@@ -8,7 +8,8 @@ struct Lane {
 
 /// Row of the coefficient table a Mach number falls in, and its lower knot.
 NPSEE_KERNEL_INLINE const double* rowOf(const CompiledAero& aero, double mach, double& from) {
-  // The comparison is false for anything that is not a number.
+  // An attempt that explodes is refused later; here it must only find a row. The comparison is false for what is no number.
+  mach = mach < 1e30 ? mach : 1e30;
   const double place = mach * aero.bucket_scale;
   const std::int64_t bucket = place < static_cast<double>(aero.last_bucket) ? static_cast<std::int64_t>(place) : aero.last_bucket;
   const double* knot = aero.knot + aero.bucket[bucket];
