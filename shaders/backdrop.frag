@@ -33,8 +33,7 @@ vec3 groundColour(vec3 ray, float depth) {
   vec2 slope = ray.xz / ray.y;
   vec2 footprint = depth * (abs(u_ray_x.xz - slope * u_ray_x.y) + abs(u_ray_y.xz - slope * u_ray_y.y));
 
-  // Soil shades itself: a fifth darker than a smooth sheet of its colour, and quieter than what flies over it.
-  vec3 albedo = linearFromSrgb(u_ground) * 0.80;
+  vec3 albedo = linearFromSrgb(u_ground);
   vec3 colour = litDiffuse(albedo, vec3(0.0, 1.0, 0.0));
   if (u_grid > 0.5) {
     float lines = 0.30 * gridCover(place, footprint, 1.0, 0.03);

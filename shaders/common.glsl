@@ -3,9 +3,9 @@
 const vec3 kKeyDirection = vec3(-0.5263, 0.7105, 0.4671);  // towards the key light, unit length: afternoon sun in the south-west
 const vec3 kKeyLight = vec3(1.42, 1.32, 1.16);
 const vec3 kSkyAmbient = vec3(0.30, 0.35, 0.42);
-const vec3 kGroundAmbient = vec3(0.16, 0.145, 0.12);
-const vec3 kHorizon = vec3(0.400, 0.465, 0.520);
-const vec3 kZenith = vec3(0.085, 0.160, 0.290);
+const vec3 kGroundAmbient = vec3(0.21, 0.19, 0.165);
+const vec3 kHorizon = vec3(0.450, 0.510, 0.560);
+const vec3 kZenith = vec3(0.110, 0.200, 0.345);
 
 // sRGB-coded to linear, within 0.002 of IEC 61966-2-1 over 0..1, without a power function.
 vec3 linearFromSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }

@@ -17,7 +17,7 @@ uniform float u_ground;      // ground height, world m
 out vec4 o_colour;           // premultiplied
 
 // Rounds off where a disc would cut the ground in a hard line.
-float groundFade() { return u_clip.x == 0.0 ? 1.0 : clamp((v_world_y - u_ground) / (0.35 * v_radius) + 0.15, 0.0, 1.0); }
+float groundFade() { return u_clip.x == 0.0 ? 1.0 : clamp((v_world_y - u_ground) / (0.35 * v_radius) + 0.04, 0.0, 1.0); }
 
 vec4 streak() {
   float across = 1.0 - abs(v_disc.x);
@@ -31,8 +31,9 @@ vec4 puff() {
   if (r2 >= 1.0) discard;
   vec2 turned = vec2(v_turn.x * v_disc.x - v_turn.y * v_disc.y, v_turn.y * v_disc.x + v_turn.x * v_disc.y);
   float noise = texture(u_noise, v_noise + turned * 0.22).r * 0.65 + texture(u_noise, v_noise.yx + turned * 0.55).r * 0.35;
+  noise = clamp((noise - 0.5) * 2.0 + 0.5, 0.0, 1.0);
   float edge = 1.0 - r2;
-  float density = clamp(edge * 1.7 - (1.0 - noise) * 0.95 * (0.35 + r2), 0.0, 1.0);
+  float density = clamp(edge * 1.9 - (1.0 - noise) * 1.25 * (0.30 + r2), 0.0, 1.0);
   float a = v_colour.a * density * density * (3.0 - 2.0 * density) * groundFade();
   if (v_kind < 1.5) {
     vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (sqrt(edge) + 0.35 * noise) * u_back);

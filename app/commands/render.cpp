@@ -133,7 +133,7 @@ void addRender(CLI::App& app, Outcome& outcome) {
   command->add_option("FILE", options->files, "Preset files (*.npsee.json)")->required();
   command->add_option("-o,--output", options->output, "PNG file to write; for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder")->required()->type_name("OUT");
   command->add_option("--time", options->time, "Moment to draw, after the burst; a quarter of the effect's duration if left out")->type_name("T");
-  command->add_option("--frames", options->frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: first and last time")->type_name("A:B");
+  command->add_option("--frames", options->frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly")->type_name("A:B");
   command->add_option("--fps", options->fps, "Frames per second of a sequence: 30 (default), 29.97, 30000/1001")->type_name("RATE");
   command->add_option("--size", options->size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out")->type_name("WxH");
   command->add_option("--camera", options->camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"")->type_name("CAMERA");

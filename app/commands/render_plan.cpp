@@ -215,9 +215,10 @@ std::vector<Shot> shotsOf(const RenderPlan& plan, double duration_s) {
   if (plan.kind == RenderKind::sequence) {
     for (std::int64_t k = plan.first_frame; k < plan.first_frame + plan.frame_count; ++k) shots.push_back({plan.rate.timeOf(k), k});
   } else if (plan.kind == RenderKind::sheet) {
+    // Without the end, as a sequence: by then every particle is gone or at rest.
     const auto [from, to] = plan.range_s.value_or(std::pair(0.0, duration_s));
     const std::int64_t count = static_cast<std::int64_t>(plan.columns) * plan.rows;
-    for (std::int64_t i = 0; i < count; ++i) shots.push_back({from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(count - 1, 1)), i});
+    for (std::int64_t i = 0; i < count; ++i) shots.push_back({from + (to - from) * static_cast<double>(i) / static_cast<double>(count), i});
   } else {
     // A quarter into an effect its pieces are usually spread and still in flight.
     shots.push_back({plan.time_s.value_or(0.25 * duration_s), 0});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace npsee::render {
 namespace {
@@ -18,26 +19,44 @@ constexpr double kMinFov = 1.0 / 180.0 * kPi, kMaxFov = 150.0 / 180.0 * kPi;
 
 Vec3 unit(const Vec3& v) { return (1.0 / length(v)) * v; }
 
-/// Half width of the ellipsoid in the box of half sides `half`, along `axis`.
-double reach(const Vec3& half, const Vec3& axis) { return length({half.x * axis.x, half.y * axis.y, half.z * axis.z}); }
+/// Points of the dome that stands in the extent's box: half an ellipsoid, flat side down. Effects spread from their burst and
+/// fall to the ground, so the box's upper corners are empty; keeping them in view would make everything smaller.
+std::vector<Vec3> dome(const Extent& extent) {
+  constexpr int kTurns = 32, kTilts = 8;
+  const Vec3 size = extent.max - extent.min;
+  const Vec3 foot{extent.centre().x, extent.min.y, extent.centre().z};
+  std::vector<Vec3> out;
+  for (int tilt = 0; tilt <= kTilts; ++tilt)
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const double up = 0.5 * kPi * tilt / kTilts, around = kTwoPi * turn / kTurns;
+      out.push_back(foot + Vec3{0.5 * size.x * std::cos(up) * std::cos(around), size.y * std::sin(up), 0.5 * size.z * std::cos(up) * std::sin(around)});
+    }
+  return out;
+}
 
-/// Camera looking along -`back`, as near as it can be with the ellipsoid in the extent's box in view and centred. The box's
-/// corners are empty in every effect that spreads around its burst; keeping them in view would halve its size.
+/// Camera looking along -`back`, as near as it can be with the extent's dome in view, in the middle of the picture.
 Camera frameFrom(const Extent& extent, Vec3 back, double aspect) {
   Camera camera;
   back = unit(back);
   const Vec3 upward = std::abs(back.y) > 0.999 ? Vec3{0.0, 0.0, -1.0} : Vec3{0.0, 1.0, 0.0};
   const Vec3 right = unit(cross(upward, back)), up = cross(back, right);
   const double tan_y = kFill * std::tan(0.5 * camera.fov_y_rad), tan_x = tan_y * std::clamp(aspect, 0.01, 100.0);
-  const Vec3 half = 0.5 * (extent.max - extent.min);
-  // A frustum side contains the eye and has the normal (axis + tangent * back); the ellipsoid touches it from inside when
-  // tangent * distance equals its half width along that normal. By symmetry the centre stays in the middle.
-  const double across = std::max(reach(half, right + tan_x * back), reach(half, tan_x * back - right)) / tan_x;
-  const double upright = std::max(reach(half, up + tan_y * back), reach(half, tan_y * back - up)) / tan_y;
-  const double wanted = std::max(across, upright);
-  const double distance = std::isfinite(wanted) ? std::clamp(wanted, kNearest, kFarthest) : kNearest;
-  camera.target = extent.centre();
-  camera.eye = camera.target + distance * back;
+  const Vec3 centre = extent.centre();
+  // An eye at (a, b, c) in the camera's axes sees a point (x, y, z) when |x - a| <= (c - z) tan_x, and likewise y. Both are
+  // pairs of half-planes: the sum of the tightest opposite bounds gives c, their difference a and b.
+  double x_high = -1e30, x_low = 1e30, y_high = -1e30, y_low = 1e30;
+  for (const Vec3& point : dome(extent)) {
+    const Vec3 from = point - centre;
+    const double x = dot(from, right), y = dot(from, up), z = dot(from, back);
+    x_high = std::max(x_high, x + z * tan_x);
+    x_low = std::min(x_low, x - z * tan_x);
+    y_high = std::max(y_high, y + z * tan_y);
+    y_low = std::min(y_low, y - z * tan_y);
+  }
+  const double wanted = std::max((x_high - x_low) / (2.0 * tan_x), (y_high - y_low) / (2.0 * tan_y));
+  const bool sane = std::isfinite(wanted) && wanted < kFarthest;
+  camera.target = sane ? centre + (0.5 * (x_high + x_low)) * right + (0.5 * (y_high + y_low)) * up : Vec3{};
+  camera.eye = camera.target + (sane ? std::max(wanted, kNearest) : kFarthest) * back;
   return camera;
 }
 

@@ -132,12 +132,12 @@ TEST_F(RenderCommand, SequencesHaveTheSameBytesForEveryNumberOfThreads) {
 }
 
 TEST_F(RenderCommand, ASheetHoldsThePicturesInReadingOrderWithCaptions) {
-  rendered({"--sheet", "3x2", "--frames", "0:1", "--size", "96x54", "-o", folder_ / "sheet.png"});
+  rendered({"--sheet", "3x2", "--frames", "0:1.2", "--size", "96x54", "-o", folder_ / "sheet.png"});
   const auto sheet = render::readPng(folder_ / "sheet.png");
   ASSERT_TRUE(sheet);
   EXPECT_EQ(sheet->width, 288);
   EXPECT_EQ(sheet->height, 108);
-  // The fourth of six times from 0 to 1 s is 0.6 s; its cell is the first of the second row. The caption is below.
+  // The fourth of six times from 0 to 1.2 s is 0.6 s; its cell is the first of the second row. The caption is below.
   const render::Image alone = image({"--time", "0.6", "--size", "96x54"});
   for (int y = 0; y < 35; ++y) EXPECT_TRUE(std::equal(alone.pixel(0, y), alone.pixel(0, y) + 96 * 4, sheet->pixel(0, 54 + y))) << y;
   EXPECT_FALSE(std::equal(alone.pixel(0, 0), alone.pixel(0, 0) + 96 * 54 * 4, sheet->pixel(0, 54)));

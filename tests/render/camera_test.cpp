@@ -31,13 +31,13 @@ TEST(Camera, EveryNamedViewHasTheWholeEffectInThePictureAndFillsIt) {
     for (const double aspect : {0.5, 1.0, 16.0 / 9.0, 3.0}) {
       const auto camera = parseCamera(name, kEffect, aspect);
       ASSERT_TRUE(camera) << camera.error().text();
-      // The ellipsoid in the extent's box, walked over its surface.
-      const Vec3 centre = kEffect.centre(), half = 0.5 * (kEffect.max - kEffect.min);
+      // The dome in the extent's box, walked over its surface.
+      const Vec3 size = kEffect.max - kEffect.min;
       double most = 0.0;
-      for (double tilt = -90.0; tilt <= 90.0; tilt += 3.0)
+      for (double tilt = 0.0; tilt <= 90.0; tilt += 3.0)
         for (double turn = 0.0; turn < 360.0; turn += 3.0) {
           const double t = tilt / 180.0 * kPi, u = turn / 180.0 * kPi;
-          const Vec3 point = centre + Vec3{half.x * std::cos(t) * std::cos(u), half.y * std::sin(t), half.z * std::cos(t) * std::sin(u)};
+          const Vec3 point = kEffect.centre() + Vec3{0.5 * size.x * std::cos(t) * std::cos(u), size.y * (std::sin(t) - 0.5), 0.5 * size.z * std::cos(t) * std::sin(u)};
           for (const double at : projected(*camera, aspect, point)) most = std::max(most, std::abs(at));
         }
       EXPECT_LE(most, 0.97) << name << " at aspect " << aspect;
