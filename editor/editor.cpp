@@ -112,6 +112,7 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   ImGui::PopFont();
   // A drag is over when nothing is held any more: what it changed is one step of the history.
   if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) my.session.document.endMerge();
+  if (!std::exchange(my.state.typing.shown, false)) my.state.typing = {};
   if (my.state.hover.seen) my.state.hover.seconds += elapsed_s;
   else my.state.hover = {};
   if (!my.pictures.fault.empty()) my.session.notices.error = std::exchange(my.pictures.fault, {});

@@ -126,15 +126,17 @@ std::span<const Action> actions() { return kActions; }
 std::span<const CameraKeyInfo> cameraKeys() { return kCameraKeys; }
 
 void handleKeys(const PanelContext& ui) {
-  if (ImGui::GetIO().WantTextInput) return;
+  const bool typing = ImGui::GetIO().WantTextInput;
   // ImGui closes menus on Escape only in its keyboard navigation, whose arrow keys belong to the camera here.
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) ImGui::ClosePopupToLevel(0, true);
+  if (!typing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) ImGui::ClosePopupToLevel(0, true);
   for (std::size_t i = 0; i < kActions.size(); ++i) {
     const Action& action = kActions[i];
     if (action.enabled != nullptr && !action.enabled(ui)) continue;
+    // A text field keeps its own keys; files can be saved and the editor left from within it.
+    if (typing && (action.menu != "File" || !strokes().actions[i] || !strokes().actions[i]->ctrl)) continue;
     if (pressed(strokes().actions[i], action.label.starts_with("Step"))) action.run(ui);
   }
-  for (std::size_t i = 0; i < kCameraKeys.size(); ++i)
+  for (std::size_t i = 0; i < kCameraKeys.size() && !typing; ++i)
     if (pressed(strokes().camera[i], true)) ui.session.camera = moved(ui.session.camera, static_cast<CameraKey>(kCameraKeys[i].move), keyStep_m(ui.session.radius_m()));
 }
 

@@ -31,7 +31,7 @@ void drawQuestion(const PanelContext& ui) {
   const Session& session = ui.session;
   const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : "starting a new preset";
   const std::string text = "\"" + session.document.name() + "\" has changes that are not saved. Save them before " + next + "?";
-  strip(ui, "strip:question", ui.theme.accent, text, ui.px(230), [&] {
+  strip(ui, "strip:question", ui.theme.accent, text, ui.px(196), [&] {
     if (textButton(ui, "Save", "save", true)) ui.session.answer(Answer::save);
     ImGui::SameLine();
     if (textButton(ui, "Discard", "discard")) ui.session.answer(Answer::discard);

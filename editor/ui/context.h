@@ -50,6 +50,7 @@ struct UiState {
     std::string text;
     std::string wrong;  ///< why the text was not taken
     bool fresh = true;  ///< the field has not had the focus yet
+    bool shown = true;  ///< the field was drawn in this frame; one that is not any more is given up
   } typing;
 
   /// The item under the pointer, for how long.

@@ -155,7 +155,7 @@ std::string shortNumber(double value) {
   return text;
 }
 
-void beginTyping(const PanelContext& ui, const std::string& name, const std::string& text) { ui.state.typing = {name, text, {}, true}; }
+void beginTyping(const PanelContext& ui, const std::string& name, const std::string& text) { ui.state.typing = {name, text, {}, true, true}; }
 
 void refuseTyping(const PanelContext& ui, const std::string& why) {
   // A field that lost the focus cannot stay open: the message goes where it can be read.

@@ -6,6 +6,7 @@ namespace npsee::editor {
 
 std::optional<std::string> typingField(const PanelContext& ui, const Box& box, bool several_lines) {
   UiState::Typing& typing = ui.state.typing;
+  typing.shown = true;
   ImGui::SetCursorScreenPos({box.at.x, box.at.y + ui.px(1)});
   ImGui::SetNextItemWidth(box.width);
   if (typing.fresh) ImGui::SetKeyboardFocusHere();

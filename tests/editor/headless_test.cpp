@@ -436,6 +436,18 @@ expect window.title = other
   EXPECT_EQ(loadPreset(in("other.npsee.json"))->layers.at(0).speed_mean_mps, 64.0);
 }
 
+TEST_F(EditorScript, AFieldThatIsLeftByItsLayerIsGivenUpAndFilesCanBeSavedFromWithinOne) {
+  passes(R"(click "button:add layer"
+doubleclick value:layer.speed_mean
+type 77
+key ctrl+S
+expect dirty = no
+click layer:fragments
+expect typing =
+expect fragments.speed_mean = 15
+)");
+}
+
 TEST_F(EditorScript, EscapeClosesMenusAndTheLibraryOpensPresets) {
   passes(R"(click menu:File
 expect visible item:Open
