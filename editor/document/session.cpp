@@ -1,6 +1,7 @@
 #include "editor/document/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <thread>
 #include <utility>
@@ -47,7 +48,26 @@ void Session::update(double elapsed_s) {
   const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
   explosion_->at(playback.time_s, frame_, render::kSceneFields, threads);
   const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
+  sampleLaunch();
   alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
+}
+
+void Session::sampleLaunch() {
+  constexpr std::size_t kLargest = 200'000;
+  const std::pair<const Explosion*, int> now{explosion_.get(), document.selected()};
+  if (now == sampled_) return;
+  sampled_ = now;
+  sample_ = {};
+  if (!document.hasLayer() || explosion_->particleCount() > kLargest) return;
+  const Layer& layer = document.layer();
+  const auto span = std::ranges::find(explosion_->layers(), layer.name, &LayerSpan::name);
+  if (span == explosion_->layers().end() || !layer.parent.empty() || layer.duration_s > 0.0) return;
+  explosion_->at(layer.start_s, launch_, kVelocity);
+  for (std::size_t i = span->first; i < span->first + span->count; ++i) {
+    if (launch_.alive[i] == 0) continue;
+    sample_.speed_mps.push_back(std::hypot(launch_.vx[i], launch_.vy[i], launch_.vz[i]));
+    sample_.size_m.push_back(launch_.size[i]);
+  }
 }
 
 void Session::takeCompiled() {

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace npsee::editor {
@@ -42,6 +43,12 @@ struct Notices {
   std::string note;
 };
 
+/// What the particles of the selected layer were given at their launch; empty where no single moment shows it (layers that hang on
+/// others, or emit over time) and for very large layers.
+struct LaunchSample {
+  std::vector<float> speed_mps, size_m;
+};
+
 struct SessionOptions {
   std::filesystem::path library;  ///< folder whose presets the library lists; empty = none
   bool wait_for_compile = false;  ///< scripts: every frame shows the finished explosion
@@ -67,6 +74,7 @@ class Session {
   const Explosion* explosion() const { return explosion_.get(); }
   const Frame& frame() const { return frame_; }
   std::size_t alive() const { return alive_; }
+  const LaunchSample& launchSample() const { return sample_; }
   bool compiling() const { return compiler_.busy(); }
 
   /// Puts the whole effect into view.
@@ -106,12 +114,16 @@ class Session {
   void proceed();
   void loadNow(const std::filesystem::path& path);
   void takeCompiled();
+  void sampleLaunch();
 
   SessionOptions options_;
   Compiler compiler_;
   std::shared_ptr<const Explosion> explosion_;
   Frame frame_;
   std::size_t alive_ = 0;
+  LaunchSample sample_;
+  std::pair<const Explosion*, int> sampled_{nullptr, -1};  ///< what the sample is of
+  Frame launch_;
   std::uint64_t requested_revision_ = 0;
   bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not
   double aspect_ = 1.6;

@@ -201,6 +201,7 @@ void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(ImVec2(width, height));
   drawLifeList(ui, row);
+  drawHistogram(ui, row);
 }
 
 }  // namespace npsee::editor

@@ -35,6 +35,8 @@ void drawRowMenu(const PanelContext& ui, const Row& row);
 void colourRow(const PanelContext& ui, const Row& row);
 /// A curve or gradient over life: a strip that shows it; a click lists its points below the row.
 void lifeRow(const PanelContext& ui, const Row& row);
+/// Below a deviation: the values that the particles of the selected layer were really given.
+void drawHistogram(const PanelContext& ui, const Row& row);
 void drawLifeList(const PanelContext& ui, const Row& row);
 
 /// True for texts of several lines.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -67,6 +68,25 @@ TEST(Session, EditingKeepsTheMomentAndRecompiles) {
   EXPECT_EQ(session.playback.time_s, 0.7);
   EXPECT_NE(session.frame().y, before.y);
   EXPECT_EQ(session.camera, camera) << "an edit moves no camera";
+}
+
+TEST(Session, TheHistogramsValuesFollowTheDistribution) {
+  Session session(waiting());
+  const auto set = [&](std::string_view key, const Value& value) { ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, key), value).has_value()); };
+  set("count", std::int64_t{20'000});
+  set("speed_mean", 40.0);
+  set("speed_deviation", 4.0);
+  set("speed_distribution", std::string("uniform"));
+  session.update(0.0);
+  const auto& speeds = session.launchSample().speed_mps;
+  ASSERT_EQ(speeds.size(), 20'000u);
+  const auto [least, most] = std::ranges::minmax(speeds);
+  // Uniform within mean +- deviation; 20,000 draws come within a thousandth of the range's ends.
+  EXPECT_NEAR(static_cast<double>(least), 36.0, 0.02);
+  EXPECT_NEAR(static_cast<double>(most), 44.0, 0.02);
+  set("duration", 1.0);
+  session.update(0.0);
+  EXPECT_TRUE(session.launchSample().speed_mps.empty()) << "no single moment shows them all";
 }
 
 TEST(Session, TheEffectStaysFramedInANewShapeUntilTheCameraIsMoved) {
