@@ -2,6 +2,7 @@
 
 #include "app/commands/bounded_queue.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <thread>
@@ -11,6 +12,15 @@ namespace {
 
 /// Frames simulated ahead of the drawing.
 constexpr std::size_t kFramesAhead = 3;
+/// Bytes of pictures that may wait for encoding; fewer threads encode very large pictures.
+constexpr std::size_t kWaitingBytes = 512u << 20;
+
+/// Encoding threads, so that the pictures under way (two per thread and two more) stay within the bytes.
+int writersFor(const PictureJob& job) {
+  const std::size_t bytes = 4 * static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
+  const std::size_t pictures = kWaitingBytes / bytes;
+  return pictures < 4 ? 1 : static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(job.threads), (pictures - 2) / 2));
+}
 
 struct Finished {
   std::size_t index;
@@ -110,7 +120,7 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
 Expected<void> writePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
                              const std::function<std::filesystem::path(const Shot&)>& path, const std::function<void(std::size_t done)>& progress,
                              std::vector<std::filesystem::path>& written) {
-  Writers writers(job.threads, shots, path);
+  Writers writers(writersFor(job), shots, path);
   std::size_t next = 0;
   bool stopped = false;
   auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, render::Image& image) -> Expected<void> {

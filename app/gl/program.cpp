@@ -2,6 +2,7 @@
 
 #include "app/gl/shader_sources.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -45,7 +46,11 @@ std::string logOf(GLuint object, bool program) {
   GLsizei length = 0;
   if (program) glGetProgramInfoLog(object, sizeof log, &length, log);
   else glGetShaderInfoLog(object, sizeof log, &length, log);
-  return std::string(log, static_cast<std::size_t>(length));
+  std::string text(log, static_cast<std::size_t>(length));
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
+  // One message is one line.
+  std::ranges::replace(text, '\n', ';');
+  return text;
 }
 
 constexpr const char* kRemedy = "The driver has to offer OpenGL 3.3 core; LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";

@@ -1,4 +1,5 @@
 #include "app/gl/objects.h"
+#include "app/gl/program.h"
 #include "app/render/renderer.h"
 #include "tests/support/scene.h"
 
@@ -265,6 +266,21 @@ TEST_F(Rendering, ASizeOverTheLimitIsRefusedWithTheLimit) {
     ASSERT_FALSE(image);
     EXPECT_NE(image.error().text().find("8192"), std::string::npos) << image.error().text();
   }
+}
+
+TEST_F(Rendering, AShaderThatDoesNotCompileIsAGraphicsErrorWithTheDriversWords) {
+  // A vertex shader where a fragment shader belongs, and the other way round.
+  const auto wrong = gl::Program::fromFiles("tiles.vert", "tiles.vert");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().kind, ErrorKind::graphics);
+  EXPECT_NE(wrong.error().text().find("tiles.vert does not compile: "), std::string::npos) << wrong.error().text();
+  EXPECT_NE(wrong.error().text().find("gl_Position"), std::string::npos) << wrong.error().text();
+  const auto unlinked = gl::Program::fromFiles("finish.frag", "clear.frag");
+  ASSERT_FALSE(unlinked);
+  EXPECT_NE(unlinked.error().text().find("do not link"), std::string::npos) << unlinked.error().text();
+  const auto missing = gl::Program::fromFiles("tiles.vert", "no_such.frag");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().text().find("no_such.frag"), std::string::npos);
 }
 
 TEST(Context, WithoutTheLibraryTheMessageNamesThePackage) {
