@@ -142,6 +142,7 @@ std::vector<std::pair<std::string, std::string>> Editor::facts() const {
       {"layers", std::to_string(document.preset().layers.size())}, {"layer", document.hasLayer() ? document.layer().name : std::string()},
       {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())},
       {"undo.label", std::string(document.history().undoLabel())},
+      {"window.width", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.x))}, {"window.height", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.y))},
       {"dirty", yes(document.dirty())}, {"window.title", session.title()}, {"file", document.path().string()},
       {"question", yes(session.asking() != Intent::none)}, {"quitting", yes(session.quitting())},
       {"files", kModes[static_cast<int>(session.files.mode)]},

@@ -77,6 +77,8 @@ void Session::takeCompiled() {
     notices.error = result->explosion.error().text() + "\n  The picture still shows the last good state.";
     return;
   }
+  // The first particles of an empty preset come into view; afterwards the camera belongs to the person.
+  if (explosion_ && explosion_->particleCount() == 0) frame_on_compile_ = true;
   explosion_ = std::move(*result->explosion);
   playback.setDuration(explosion_->duration_s());
   if (std::exchange(frame_on_compile_, false)) frameAll();
@@ -84,7 +86,8 @@ void Session::takeCompiled() {
 
 void Session::frameAll() {
   if (!explosion_) return;
-  framed_extent_ = explosion_->extent();
+  // An empty preset shows the ground that a usual effect needs.
+  framed_extent_ = explosion_->particleCount() > 0 ? explosion_->extent() : Extent{{-15.0, 0.0, -15.0}, {15.0, 12.0, 15.0}};
   framed_ = camera = render::framing(framed_extent_, aspect_);
 }
 

@@ -60,7 +60,7 @@ void drawPlate(const PanelContext& ui, const ImVec2& at, const std::string& text
 
 void drawOverlays(const PanelContext& ui, const Box& box) {
   drawCompass(ui, box);
-  if (const Explosion* explosion = ui.session.explosion()) {
+  if (const Explosion* explosion = ui.session.explosion(); explosion != nullptr && explosion->particleCount() > 0) {
     const Extent& extent = explosion->extent();
     const auto metres = [](double m) { return shortNumber(std::round(m * 10.0) / 10.0); };
     const double across = std::max(extent.max.x - extent.min.x, extent.max.z - extent.min.z);

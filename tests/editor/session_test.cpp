@@ -70,6 +70,16 @@ TEST(Session, EditingKeepsTheMomentAndRecompiles) {
   EXPECT_EQ(session.camera, camera) << "an edit moves no camera";
 }
 
+TEST(Session, TheFirstParticlesOfAnEmptyPresetComeIntoView) {
+  Session session(waiting());
+  ASSERT_TRUE(session.document.deleteLayer().has_value());
+  session.update(0.0);
+  EXPECT_GT(length(session.camera.eye - session.camera.target), 10.0);
+  ASSERT_TRUE(session.document.addLayer().has_value());
+  session.update(0.0);
+  EXPECT_EQ(session.camera, render::framing(session.explosion()->extent(), session.aspect()));
+}
+
 TEST(Session, TheHistogramsValuesFollowTheDistribution) {
   Session session(waiting());
   const auto set = [&](std::string_view key, const Value& value) { ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, key), value).has_value()); };

@@ -96,6 +96,7 @@ TEST_F(EditorWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
   const auto saved = loadPreset(file_);
   ASSERT_TRUE(saved.has_value());
   EXPECT_LT(saved->layers[0].ejection_angle_rad, 0.85);
+  display_.xdotool({"windowsize", "--sync", window_, "1000", "640"});
   key("Control_L+z");
   EXPECT_TRUE(eventually([this] { return window("work \\* - npsee"); })) << "undo is not what the file holds";
   key("Control_L+q");
@@ -105,6 +106,8 @@ TEST_F(EditorWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
   key("Control_L+q");
   const auto end = state();
   EXPECT_EQ(end.at("undo"), 0.0);
+  EXPECT_EQ(end.at("window.width"), 1000.0);
+  EXPECT_EQ(end.at("window.height"), 640.0);
   EXPECT_EQ(loadPreset(file_)->layers[0], Layer(loadPreset(std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json")->layers[0]));
 }
 
