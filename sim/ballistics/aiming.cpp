@@ -31,6 +31,15 @@ double parabola(double range, const Sample& a, const Sample& b, const Sample& c)
   return term(a, b, c) + term(b, c, a) + term(c, a, b);
 }
 
+/// Elevation of the greatest range of the parabola through three samples; that of the middle one where it has no top.
+template <class Sample>
+double vertex(const Sample& a, const Sample& b, const Sample& c) {
+  const double ab = b.elevation_rad - a.elevation_rad, cb = c.elevation_rad - b.elevation_rad;
+  const double fa = b.range_m - a.range_m, fc = b.range_m - c.range_m;
+  const double denominator = ab * fc + cb * fa;
+  return denominator > 0.0 ? b.elevation_rad + 0.5 * (cb * cb * fa - ab * ab * fc) / denominator : b.elevation_rad;
+}
+
 /// Angle of the impact to the right of the line of fire.
 double offLine(const Flight& flight) { return angleOf(flight.range_m, flight.drift_m); }
 
@@ -82,19 +91,52 @@ void Aimer::findMaximum() {
     for (std::size_t i = 0; i < kSamples; ++i) {
       if (flights[i].end != FlightEnd::impact) continue;
       samples_[i].range_m = distance(flights[i]);
-      if (turningMatters()) samples_[i].turn_rad -= offLine(flights[i]);
+      if (turningMatters()) samples_[i].turn_rad = -offLine(flights[i]);
     }
   }
 
+  narrowMaximum();
+  std::ranges::sort(samples_, {}, &Sample::elevation_rad);
+}
+
+void Aimer::narrowMaximum() {
+  const auto [a, b, c] = aroundBest();
+  // Four flights about the top of the parabola cost little more than one; a second parabola through them is nearly exact.
+  const double top = vertex(a, b, c);
+  bool narrow = a.range_m > 0.0 && c.range_m > 0.0 && top > a.elevation_rad && top < c.elevation_rad;
+  if (narrow) {
+    constexpr double kApart_rad = 16.0 * kPi / 3200.0;
+    std::array<Shot, 4> shots;
+    std::array<Flight, 4> flights;
+    std::array<double, 4> turns;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double e = std::clamp(top + (static_cast<double>(i) - 1.5) * kApart_rad, a.elevation_rad, std::min(c.elevation_rad, kSteepest_rad));
+      turns[i] = b.turn_rad + (e - b.elevation_rad) * (c.turn_rad - a.turn_rad) / (c.elevation_rad - a.elevation_rad);
+      shots[i] = shotAt(e, turns[i]);
+    }
+    ballistics_.flyMany(shots, flights, 1);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (flights[i].end == FlightEnd::impact) samples_.push_back({shots[i].elevation_rad, distance(flights[i]), turns[i]});
+    std::ranges::sort(samples_, {}, &Sample::elevation_rad);
+    const auto duplicates = std::ranges::unique(samples_, {}, &Sample::elevation_rad);
+    samples_.erase(duplicates.begin(), duplicates.end());
+    narrow = samples_.size() == kSamples + 4;
+  }
+  searchMaximum(narrow ? 1 : 60);
+}
+
+std::array<Aimer::Sample, 3> Aimer::aroundBest() const {
   const auto best = static_cast<std::size_t>(std::ranges::max_element(samples_, {}, &Sample::range_m) - samples_.begin());
-  Sample a = samples_[best > 0 ? best - 1 : 0], b = samples_[best], c = samples_[std::min(best + 1, samples_.size() - 1)];
+  return {samples_[best > 0 ? best - 1 : 0], samples_[best], samples_[std::min(best + 1, samples_.size() - 1)]};
+}
+
+/// Successive parabolas through the best sample and its neighbours; golden section where a parabola does not narrow the bracket.
+void Aimer::searchMaximum(int flights) {
+  auto [a, b, c] = aroundBest();
   Flight flight;
-  // Successive parabolas through three points; golden section where a parabola does not narrow the bracket.
-  for (int i = 0; i < 60 && c.elevation_rad - a.elevation_rad > 1e-7; ++i) {
+  for (int i = 0; i < flights && c.elevation_rad - a.elevation_rad > 1e-7; ++i) {
     const double ab = b.elevation_rad - a.elevation_rad, cb = c.elevation_rad - b.elevation_rad;
-    const double fa = b.range_m - a.range_m, fc = b.range_m - c.range_m;
-    const double denominator = ab * fc + cb * fa;
-    double e = denominator > 0.0 ? b.elevation_rad + 0.5 * (cb * cb * fa - ab * ab * fc) / denominator : b.elevation_rad;
+    double e = vertex(a, b, c);
     const bool usable = i % 4 != 3 && a.range_m > 0.0 && c.range_m > 0.0 && e > a.elevation_rad && e < c.elevation_rad && std::fabs(e - b.elevation_rad) > 1e-9;
     if (!usable) e = cb > ab ? b.elevation_rad + 0.381966 * cb : b.elevation_rad - 0.381966 * ab;
     const double turn = b.turn_rad + (e - b.elevation_rad) * (c.turn_rad - a.turn_rad) / (c.elevation_rad - a.elevation_rad);
@@ -112,8 +154,7 @@ void Aimer::findMaximum() {
   }
   max_range_m_ = b.range_m;
   max_elevation_rad_ = b.elevation_rad;
-  samples_.push_back(b);
-  std::ranges::sort(samples_, {}, &Sample::elevation_rad);
+  if (std::ranges::find(samples_, b.elevation_rad, &Sample::elevation_rad) == samples_.end()) samples_.push_back(b);
 }
 
 std::optional<AimSolution> Aimer::branch(double range_m, int direction) const {
@@ -141,8 +182,9 @@ std::optional<AimSolution> Aimer::low(double range_m) const { return branch(rang
 std::optional<AimSolution> Aimer::high(double range_m) const { return branch(range_m, 1); }
 
 /// Elevation between one that falls short and one that reaches whose shell comes down at the range, by false position
-/// (Illinois); `first` is tried first where it is not NaN.
-Aimer::Sample Aimer::root(double range_m, Sample a, Sample b, double turn_rad, double first, Flight& flight) const {
+/// (Illinois). The gun is turned as between the two samples; `first` is tried first where it is a number.
+Aimer::Sample Aimer::root(double range_m, Sample a, Sample b, double first, Flight& flight) const {
+  const double turn_at_a = a.turn_rad, turn_slope = (b.turn_rad - a.turn_rad) / (b.elevation_rad - a.elevation_rad), start = a.elevation_rad;
   double fa = a.range_m > 0.0 ? a.range_m - range_m : -range_m, fb = b.range_m - range_m;
   int side = 0;
   Sample here = b;
@@ -151,7 +193,8 @@ Aimer::Sample Aimer::root(double range_m, Sample a, Sample b, double turn_rad, d
     if (i == 0 && first == first) e = first;
     // Where the near end never comes down there is a cliff, not a slope; and every fourth step halves for safety.
     else if (a.range_m < 0.0 || i % 4 == 3) e = 0.5 * (a.elevation_rad + b.elevation_rad);
-    here = {e, rangeAt(e, turn_rad, flight), turn_rad};
+    const double turn = turn_at_a + (e - start) * turn_slope;
+    here = {e, rangeAt(e, turn, flight), turn};
     const double f = here.range_m - range_m;
     if (std::fabs(f) < kRangeTolerance_m || std::fabs(b.elevation_rad - a.elevation_rad) < 1e-12) break;
     if (f > 0.0) {
@@ -167,21 +210,35 @@ Aimer::Sample Aimer::root(double range_m, Sample a, Sample b, double turn_rad, d
   return here;
 }
 
+/// The same by secants from an elevation close by, for small changes after which the root may have left its bracket.
+Aimer::Sample Aimer::polished(double range_m, Sample start, double turn_rad, Flight& flight) const {
+  Sample before{start.elevation_rad + 1e-4, rangeAt(start.elevation_rad + 1e-4, turn_rad, flight), turn_rad};
+  Sample here{start.elevation_rad, rangeAt(start.elevation_rad, turn_rad, flight), turn_rad};
+  for (int i = 0; i < 8 && std::fabs(here.range_m - range_m) >= kRangeTolerance_m; ++i) {
+    const double slope = (here.range_m - before.range_m) / (here.elevation_rad - before.elevation_rad);
+    // At the very top there is no slope to follow; the round before was good enough then.
+    const double step = std::clamp((range_m - here.range_m) / slope, -0.01, 0.01);
+    if (!(std::fabs(step) > 1e-12)) break;
+    before = here;
+    here.elevation_rad += step;
+    here.range_m = rangeAt(here.elevation_rad, turn_rad, flight);
+  }
+  return here;
+}
+
 std::optional<AimSolution> Aimer::solve(double range_m, Sample near, Sample far, double guess_rad) const {
-  const double share = guess_rad == guess_rad ? (guess_rad - near.elevation_rad) / (far.elevation_rad - near.elevation_rad) : 1.0;
-  double turn = near.turn_rad + share * (far.turn_rad - near.turn_rad);
   AimSolution solution;
-  Sample found{guess_rad, 0.0, 0.0};
-  // The first round finds the elevation; the others only follow what turning the gun changes through wind and Coriolis force.
+  Flight flight;
+  Sample found = root(range_m, near, far, guess_rad, flight);
+  // The further rounds follow what turning the gun a little more changes through wind and Coriolis force.
   for (int round = 0; round < 8; ++round) {
-    Flight flight;
-    found = root(range_m, near, far, turn, found.elevation_rad, flight);
     if (flight.end != FlightEnd::impact) return std::nullopt;
-    if (!turningMatters()) turn = -offLine(flight);
+    const double off = offLine(flight), turn = turningMatters() ? found.turn_rad : -off;
     const Vec3 impact = worldFromFlight({flight.range_m, 0.0, flight.drift_m}, turn), target = worldFromFlight({range_m, 0.0, 0.0}, 0.0);
-    solution = {shotAt(found.elevation_rad, turn), flight, turn, length(impact - target)};
+    const AimSolution here{shotAt(found.elevation_rad, turn), flight, turn, length(impact - target)};
+    if (round == 0 || here.miss_m < solution.miss_m) solution = here;
     if (solution.miss_m < 2.0 * kRangeTolerance_m) break;
-    turn = -offLine(flight);
+    found = polished(range_m, found, -off, flight);
   }
   return solution;
 }

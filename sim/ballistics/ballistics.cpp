@@ -150,7 +150,7 @@ Flight Ballistics::fly(const Shot& shot) const {
   const Setup& setup = data_->setup;
   const ShotConstants constants = constantsOf(setup, shot);
   Progress progress;
-  if (setup.integration.integrator == Integrator::dormand_prince) flyAdaptive(setup, constants, progress, nullptr);
+  if (setup.integration.integrator == Integrator::dormand_prince) bestKernels().fly_one(setup, constants, progress, nullptr);
   else flyFixed(setup, constants, progress, nullptr);
   return flightOf(setup, shot, progress);
 }
@@ -163,7 +163,7 @@ FlightPath Ballistics::path(const Shot& shot) const {
   const ShotConstants constants = constantsOf(setup, shot);
   Progress progress;
   NodeRecorder recorder(setup, out.nodes_, out.spins_);
-  if (setup.integration.integrator == Integrator::dormand_prince) flyAdaptive(setup, constants, progress, &recorder);
+  if (setup.integration.integrator == Integrator::dormand_prince) bestKernels().fly_one(setup, constants, progress, &recorder);
   else flyFixed(setup, constants, progress, &recorder);
   out.flight_ = flightOf(setup, shot, progress);
   out.closed_form_spin_ = setup.closed_form_spin;

@@ -35,6 +35,7 @@ struct Flock {
   Lane<R> q;
   R t, h, y[kStates], y1[kStates], k[7][kStates], error_scale[kStates];
   R error, yaw2_max, mach_max, attempt_yaw2, attempt_mach;
+  bool refused[kWidth];       ///< the attempt before was refused
   std::ptrdiff_t who[kWidth];  ///< shot in each lane, -1 = idle
 };
 
@@ -158,7 +159,10 @@ unsigned settle(const Setup& s, const ShotConstants* shots, Progress* all_progre
     double factor = 0.2;
     if (error < 1e-4) factor = 5.0;
     else if (error < 1e6) factor = 0.9 * inverseFifthRoot(error);
-    factor = factor < 0.2 ? 0.2 : factor > 5.0 ? 5.0 : factor;
+    // Right after a refusal there is no growth: what made the step fail lies just ahead.
+    const double most = f.refused[i] ? 1.0 : 5.0;
+    factor = factor < 0.2 ? 0.2 : factor > most ? most : factor;
+    f.refused[i] = !accept;
     double next = h * factor;
     next = next < kShortestStep_s ? kShortestStep_s : next < kLongestStep_s ? next : kLongestStep_s;
     setLane(next_h, i, next);

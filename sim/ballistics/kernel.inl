@@ -18,7 +18,9 @@ void flyMany(const Setup& setup, const ShotConstants* shots, Progress* progress,
   flyFlock<Doubles>(setup, shots, progress, count, nullptr);
 }
 
-constexpr Kernels kKernels{flyMany};
+void flyOne(const Setup& setup, const ShotConstants& shot, Progress& progress, Recorder* recorder) { flyFlock<double>(setup, &shot, &progress, 1, recorder); }
+
+constexpr Kernels kKernels{flyMany, flyOne};
 
 }  // namespace
 }  // namespace npsee::ballistics

@@ -78,13 +78,13 @@ struct Recorder {
 struct Kernels {
   /// Dormand-Prince flights of `count` shots, four at a time.
   void (*fly_many)(const Setup&, const ShotConstants*, Progress*, std::size_t count);
+  /// One flight, kept by `recorder` where that is not null.
+  void (*fly_one)(const Setup&, const ShotConstants&, Progress&, Recorder* recorder);
 };
 const Kernels& baselineKernels();
 /// The best set this CPU has.
 const Kernels& bestKernels();
 
-/// One flight with the Dormand-Prince integrator; the same bits as `fly_many`.
-void flyAdaptive(const Setup& setup, const ShotConstants& shot, Progress& progress, Recorder* recorder);
 /// One flight with RK4 or the predictor-corrector.
 void flyFixed(const Setup& setup, const ShotConstants& shot, Progress& progress, Recorder* recorder);
 

@@ -5,7 +5,7 @@
 namespace npsee {
 namespace {
 
-using test::ballistics;
+using test::flying;
 using test::mil;
 
 AimRequest request(const Projectile& projectile, const char* charge) {
@@ -37,7 +37,7 @@ TEST(Aiming, LowAndHighSolutionsHitWithinHalfAMetreUpToNearlyTheGreatestRange) {
         r.height_m = height;
         r.azimuth_rad = 1.1;
         if (windy) r.wind_mps = {-8.0, 0.0, 14.0};
-        const Ballistics model = ballistics(m107, conditions);
+        const Ballistics model = flying(m107, conditions);
         const auto aimer = Aimer::make(model, r);
         ASSERT_TRUE(aimer) << aimer.error().text();
         for (const double share : {0.3, 0.5, 0.8, 0.95, 0.99, 0.999}) {
@@ -57,7 +57,7 @@ TEST(Aiming, LowAndHighSolutionsHitWithinHalfAMetreUpToNearlyTheGreatestRange) {
 
 TEST(Aiming, NoElevationReachesFurtherThanTheMaximum) {
   const Projectile m107 = test::shipped("m107");
-  const Ballistics model = ballistics(m107);
+  const Ballistics model = flying(m107);
   const auto aimer = Aimer::make(model, request(m107, "3W"));
   ASSERT_TRUE(aimer);
   const auto charge = findCharge(m107, "3W");
@@ -73,7 +73,7 @@ TEST(Aiming, NoElevationReachesFurtherThanTheMaximum) {
 
 TEST(Aiming, OutOfReachNamesTheMaximum) {
   const Projectile m107 = test::shipped("m107");
-  const auto aimer = Aimer::make(ballistics(m107), request(m107, "3W"));
+  const auto aimer = Aimer::make(flying(m107), request(m107, "3W"));
   ASSERT_TRUE(aimer);
   EXPECT_FALSE(aimer->low(9000.0));
   EXPECT_FALSE(aimer->high(9000.0));
@@ -91,7 +91,7 @@ TEST(Aiming, ATargetHigherThanTheShellFliesIsRefused) {
   const Projectile m107 = test::shipped("m107");
   AimRequest r = request(m107, "3W");
   r.height_m = 15000.0;
-  const auto aimer = Aimer::make(ballistics(m107), r);
+  const auto aimer = Aimer::make(flying(m107), r);
   ASSERT_FALSE(aimer);
   EXPECT_NE(aimer.error().text().find("15000 m above the muzzle"), std::string::npos);
 }
@@ -100,7 +100,7 @@ TEST(Aiming, ATargetStraightBelowIsHitFiringDownwards) {
   const Projectile m107 = test::shipped("m107");
   AimRequest r = request(m107, "3W");
   r.height_m = -1000.0;
-  const Ballistics model = ballistics(m107);
+  const Ballistics model = flying(m107);
   const auto aimer = Aimer::make(model, r);
   ASSERT_TRUE(aimer);
   const auto low = aimer->low(900.0);
@@ -113,7 +113,7 @@ TEST(Aiming, TheVacuumHasItsTwoTextbookElevations) {
   // sin 2e = g R / v^2.
   AimRequest r;
   r.speed_mps = 200.0;
-  const auto aimer = Aimer::make(ballistics(test::sphere(10.0, 0.1, 0.3), {}, FlightModel::vacuum), r);
+  const auto aimer = Aimer::make(flying(test::sphere(10.0, 0.1, 0.3), {}, FlightModel::vacuum), r);
   ASSERT_TRUE(aimer);
   EXPECT_NEAR(aimer->maxRange(), 200.0 * 200.0 / kStandardGravity_mps2, 0.1);
   const double twice = std::asin(kStandardGravity_mps2 * 3000.0 / 40000.0);
@@ -128,7 +128,7 @@ TEST(Aiming, PublishedGreatestRangesAreMet) {
   for (const auto& [speed, range] : {std::pair(274.3, 6300.0), std::pair(374.6, 9700.0)}) {
     AimRequest r;
     r.speed_mps = speed;
-    const auto aimer = Aimer::make(ballistics(m107), r);
+    const auto aimer = Aimer::make(flying(m107), r);
     ASSERT_TRUE(aimer);
     EXPECT_NEAR(aimer->maxRange(), range, 0.015 * range);
   }

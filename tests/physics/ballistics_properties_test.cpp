@@ -2,6 +2,8 @@
 
 #include "tests/physics/ballistics_support.h"
 
+#include "sim/ballistics/setup.h"
+
 #include <npsee/firing_table.h>
 
 #include <cstring>
@@ -10,7 +12,7 @@
 namespace npsee {
 namespace {
 
-using test::ballistics;
+using test::flying;
 using test::mil;
 using test::shot;
 
@@ -20,7 +22,7 @@ Shot charge7(double elevation_mil) { return shot(568.0, mil(elevation_mil)); }
 
 TEST(Ballistics, EnergyIsKeptInAVacuumAndOnlyFallsInStillAir) {
   for (const FlightModel model : {FlightModel::vacuum, FlightModel::point_mass, FlightModel::modified_point_mass}) {
-    const FlightPath path = ballistics(test::shipped("m107"), {}, model).path(charge7(700));
+    const FlightPath path = flying(test::shipped("m107"), {}, model).path(charge7(700));
     double before = energy(path.at(0.0));
     const double first = before;
     for (double t = 0.5; t < path.flight().time_of_flight_s; t += 0.5) {
@@ -33,7 +35,7 @@ TEST(Ballistics, EnergyIsKeptInAVacuumAndOnlyFallsInStillAir) {
 }
 
 TEST(Ballistics, ATailWindLengthensTheRangeAndAHeadWindShortensIt) {
-  const Ballistics model = ballistics(test::shipped("m107"));
+  const Ballistics model = flying(test::shipped("m107"));
   Shot s = charge7(533);
   const double still = model.fly(s).range_m;
   s.wind_mps = {15, 0, 0};
@@ -43,7 +45,7 @@ TEST(Ballistics, ATailWindLengthensTheRangeAndAHeadWindShortensIt) {
 }
 
 TEST(Ballistics, AWindFromTheLeftCarriesTheShellToTheRight) {
-  const Ballistics model = ballistics(test::shipped("m107"));
+  const Ballistics model = flying(test::shipped("m107"));
   Shot s = charge7(533);
   const double still = model.fly(s).drift_m;
   s.wind_mps = {0, 0, 10};
@@ -53,7 +55,7 @@ TEST(Ballistics, AWindFromTheLeftCarriesTheShellToTheRight) {
 TEST(Ballistics, FlyingWithTheWindIsFlyingInStillAirSeenFromAMovingFrame) {
   // Constant air, drag only: the path in the air's frame does not know the wind.
   const Projectile p = test::sphere(43.0, 0.155, 0.3);
-  const Ballistics model = ballistics(p, test::constantAir());
+  const Ballistics model = flying(p, test::constantAir());
   Shot windy = shot(300.0, mil(600));
   windy.wind_mps = {20.0, 0.0, -7.0};
   const FlightPath there = model.path(windy);
@@ -71,9 +73,9 @@ TEST(Ballistics, FlyingWithTheWindIsFlyingInStillAirSeenFromAMovingFrame) {
 
 TEST(Ballistics, ReversingTheTwistMirrorsTheDrift) {
   Projectile p = test::shipped("m107");
-  const Flight right = ballistics(p).fly(charge7(800));
+  const Flight right = flying(p).fly(charge7(800));
   p.left_hand = true;
-  const Flight left = ballistics(p).fly(charge7(800));
+  const Flight left = flying(p).fly(charge7(800));
   EXPECT_GT(right.drift_m, 100.0);
   EXPECT_EQ(left.drift_m, -right.drift_m);
   EXPECT_EQ(left.range_m, right.range_m);
@@ -84,7 +86,7 @@ TEST(Ballistics, TheSummitIsWhereTheShellNeitherRisesNorFalls) {
   for (const Integrator integrator : {Integrator::dormand_prince, Integrator::predictor_corrector, Integrator::rk4}) {
     Integration integration;
     integration.integrator = integrator;
-    const FlightPath path = ballistics(test::shipped("m107"), {}, FlightModel::modified_point_mass, integration).path(charge7(600));
+    const FlightPath path = flying(test::shipped("m107"), {}, FlightModel::modified_point_mass, integration).path(charge7(600));
     const Flight& flight = path.flight();
     EXPECT_NEAR(path.at(flight.apex_time_s).velocity_mps.y, 0.0, 1e-6);
     EXPECT_NEAR(path.at(flight.apex_time_s).position_m.y, flight.max_ordinate_m, 1e-9);
@@ -93,7 +95,7 @@ TEST(Ballistics, TheSummitIsWhereTheShellNeitherRisesNorFalls) {
 }
 
 TEST(Ballistics, ThePathBeginsAtTheMuzzleAndEndsAtTheImpact) {
-  const FlightPath path = ballistics(test::shipped("m107")).path(charge7(450));
+  const FlightPath path = flying(test::shipped("m107")).path(charge7(450));
   const Flight& flight = path.flight();
   EXPECT_EQ(length(path.at(-3.0).position_m), 0.0);
   EXPECT_NEAR(length(path.at(0.0).velocity_mps), 568.0, 1e-9);
@@ -102,14 +104,14 @@ TEST(Ballistics, ThePathBeginsAtTheMuzzleAndEndsAtTheImpact) {
   EXPECT_NEAR(end.position_m.z, flight.drift_m, 1e-6);
   EXPECT_NEAR(end.position_m.y, 0.0, 1e-6);
   EXPECT_EQ(after.position_m, end.position_m);
-  EXPECT_EQ(path.flight(), ballistics(test::shipped("m107")).fly(charge7(450)));
+  EXPECT_EQ(path.flight(), flying(test::shipped("m107")).fly(charge7(450)));
 }
 
 TEST(Ballistics, TheWorldSeesAnEastwardShotFlyEast) {
   Shot s = charge7(450);
   s.azimuth_rad = 0.5 * kPi;
   s.muzzle_m = {1000.0, 50.0, 2000.0};
-  const FlightPath path = ballistics(test::shipped("m107")).path(s);
+  const FlightPath path = flying(test::shipped("m107")).path(s);
   const Vec3 end = path.inWorld(1e9).position_m;
   EXPECT_NEAR(end.x, 1000.0 + path.flight().range_m, 1e-6);
   EXPECT_NEAR(end.z, 2000.0 + path.flight().drift_m, 1e-6);  // right of east is south
@@ -122,13 +124,13 @@ TEST(Ballistics, ASmallerToleranceNeverWorsensTheImpact) {
   for (const double elevation : {266.67, 533.33, 800.0}) {
     Integration integration;
     integration.tolerance_m = 1e-9;
-    const Flight exact = ballistics(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(elevation));
+    const Flight exact = flying(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(elevation));
     // A single impact may be right by luck; the bound at each tolerance must shrink with it.
     const std::pair<double, double> bounds[] = {{1e-2, 1.5}, {1e-3, 0.15}, {3e-4, 0.05}, {1e-5, 0.005}, {1e-7, 2e-4}};
     for (const auto& [tolerance, bound] : bounds)
       for (const double half : {1.0, 0.5}) {
         integration.tolerance_m = tolerance * half;
-        const Flight flight = ballistics(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(elevation));
+        const Flight flight = flying(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(elevation));
         EXPECT_LT(std::hypot(flight.range_m - exact.range_m, flight.drift_m - exact.drift_m), bound) << elevation << " mil, tolerance " << tolerance * half;
       }
   }
@@ -142,7 +144,7 @@ TEST(Ballistics, FixedStepsConvergeWithTheirOrder) {
     integration.integrator = integrator;
     integration.step_s = step;
     integration.tolerance_m = 1e-9;
-    return ballistics(p, test::constantAir(), FlightModel::point_mass, integration).fly(charge7(533.0)).range_m;
+    return flying(p, test::constantAir(), FlightModel::point_mass, integration).fly(charge7(533.0)).range_m;
   };
   const double exact = range(Integrator::dormand_prince, 0.1);
   const auto error = [&](Integrator integrator, double step) { return std::fabs(range(integrator, step) - exact); };
@@ -154,11 +156,11 @@ TEST(Ballistics, FixedStepsConvergeWithTheirOrder) {
 
 TEST(Ballistics, AllIntegratorsAgreeOnTheFullModel) {
   const Projectile p = test::shipped("m107");
-  const Flight adaptive = ballistics(p).fly(charge7(533.33));
+  const Flight adaptive = flying(p).fly(charge7(533.33));
   for (const auto& [integrator, bound] : {std::pair(Integrator::rk4, 0.05), std::pair(Integrator::predictor_corrector, 0.5)}) {
     Integration integration;
     integration.integrator = integrator;
-    const Flight flight = ballistics(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(533.33));
+    const Flight flight = flying(p, {}, FlightModel::modified_point_mass, integration).fly(charge7(533.33));
     EXPECT_NEAR(flight.range_m, adaptive.range_m, bound);
     EXPECT_NEAR(flight.drift_m, adaptive.drift_m, bound);
     EXPECT_NEAR(flight.spin_impact_radps, adaptive.spin_impact_radps, 0.1);
@@ -173,12 +175,12 @@ TEST(Ballistics, TheSimplifiedModelIgnoresWindAndCoriolisAndHasTheClosedFormSpin
   Shot windy = charge7(533.33);
   windy.wind_mps = {12, 0, 8};
   const FlightModel simplified = FlightModel::simplified_modified_point_mass;
-  EXPECT_EQ(ballistics(p, conditions, simplified).fly(windy).range_m, ballistics(p, {}, simplified).fly(charge7(533.33)).range_m);
+  EXPECT_EQ(flying(p, conditions, simplified).fly(windy).range_m, flying(p, {}, simplified).fly(charge7(533.33)).range_m);
   // Where rho and V hardly change, 3.15 is the exact solution; over a whole flight it is not.
-  const Flight thesis = ballistics(p, {}, simplified).fly(charge7(20)), full = ballistics(p).fly(charge7(20));
+  const Flight thesis = flying(p, {}, simplified).fly(charge7(20)), full = flying(p).fly(charge7(20));
   EXPECT_NEAR(thesis.spin_impact_radps, full.spin_impact_radps, 0.01 * full.spin_impact_radps);
   EXPECT_NEAR(thesis.range_m, full.range_m, 0.2);
-  const Flight far = ballistics(p, {}, simplified).fly(charge7(800));
+  const Flight far = flying(p, {}, simplified).fly(charge7(800));
   EXPECT_LT(far.spin_impact_radps, far.spin_muzzle_radps);
   EXPECT_GT(far.spin_impact_radps, 0.0);
 }
@@ -189,7 +191,7 @@ TEST(Ballistics, SpinDecaysWithTheDistanceFlownInConstantAir) {
   p.inertia_kgm2 = 0.1461;
   p.twist_cal = 20.0;
   p.curve(Coefficient::cspin) = CoefficientCurve::constant(-0.01);
-  const FlightPath path = ballistics(p, test::constantAir()).path(charge7(533));
+  const FlightPath path = flying(p, test::constantAir()).path(charge7(533));
   double distance = 0.0;
   constexpr int kParts = 40000;
   const double h = path.flight().time_of_flight_s / kParts;
@@ -219,7 +221,7 @@ TEST(Ballistics, TheYawOfReposeIsTheFixedPointOfRepeatedSubstitution) {
   p.curve(Coefficient::cma) = CoefficientCurve::constant(cma);
   p.curve(Coefficient::cspin) = CoefficientCurve::constant(cspin);
   p.curve(Coefficient::cmagf) = CoefficientCurve::constant(cmagf);
-  const FlightPath path = ballistics(p, test::constantAir(0.9)).path(charge7(900));
+  const FlightPath path = flying(p, test::constantAir(0.9)).path(charge7(900));
   double greatest = 0.0;
   for (double t = 0.0; t < path.flight().time_of_flight_s; t += 0.05) {
     const auto s = path.at(t);
@@ -231,7 +233,7 @@ TEST(Ballistics, TheYawOfReposeIsTheFixedPointOfRepeatedSubstitution) {
 }
 
 TEST(Ballistics, BeyondItsValidityAResultIsFlaggedAndStaysFinite) {
-  const Ballistics model = ballistics(test::shipped("m107"));
+  const Ballistics model = flying(test::shipped("m107"));
   EXPECT_TRUE(model.fly(shot(297, mil(1150))).valid());
   const Flight steep = model.fly(shot(297, mil(1200)));
   EXPECT_FALSE(steep.valid());
@@ -243,7 +245,7 @@ TEST(Ballistics, BeyondItsValidityAResultIsFlaggedAndStaysFinite) {
   const Flight fast = model.fly(shot(1500, mil(300)));
   EXPECT_TRUE(fast.doubts & doubt_mach);
   // Without yaw there is nothing to doubt in a vertical shot.
-  EXPECT_TRUE(ballistics(test::shipped("m107"), {}, FlightModel::point_mass).fly(shot(297, mil(1600))).valid());
+  EXPECT_TRUE(flying(test::shipped("m107"), {}, FlightModel::point_mass).fly(shot(297, mil(1600))).valid());
 }
 
 TEST(Ballistics, NoShotMakesANumberThatIsNone) {
@@ -281,7 +283,7 @@ TEST(Ballistics, NoShotMakesANumberThatIsNone) {
 }
 
 TEST(Ballistics, ImpossibleShotsAreRefusedAndSayWhy) {
-  const Ballistics model = ballistics(test::shipped("m107"));
+  const Ballistics model = flying(test::shipped("m107"));
   const std::pair<Shot, const char*> wrong[] = {{shot(0.0, 0.5), "muzzle velocity"}, {shot(300, 1.6), "straight up"}, {shot(std::nan(""), 0.5), "muzzle velocity"}, {shot(300, INFINITY), "elevation"}, {shot(-5, 0.5), "muzzle velocity"}};
   for (const auto& [s, word] : wrong) {
     const auto checked = model.checkShot(s);
@@ -295,7 +297,7 @@ TEST(Ballistics, ImpossibleShotsAreRefusedAndSayWhy) {
 TEST(Ballistics, AShellThatNeverComesDownOnTheSurfaceSaysSo) {
   Conditions high;
   high.target_height_m = 5000;
-  const Flight flight = ballistics(test::shipped("m107"), high).fly(shot(297, mil(100)));
+  const Flight flight = flying(test::shipped("m107"), high).fly(shot(297, mil(100)));
   EXPECT_EQ(flight.end, FlightEnd::no_impact);
   EXPECT_GT(flight.max_ordinate_m, 30.0);
   EXPECT_FALSE(flight.valid());
@@ -304,7 +306,7 @@ TEST(Ballistics, AShellThatNeverComesDownOnTheSurfaceSaysSo) {
 TEST(Ballistics, ATargetAboveIsMetOnTheWayDown) {
   Conditions conditions;
   conditions.target_height_m = 400.0;
-  const FlightPath path = ballistics(test::shipped("m107"), conditions).path(charge7(300));
+  const FlightPath path = flying(test::shipped("m107"), conditions).path(charge7(300));
   EXPECT_EQ(path.flight().end, FlightEnd::impact);
   EXPECT_NEAR(path.flight().height_m, 400.0, 1e-6);
   EXPECT_GT(path.flight().time_of_flight_s, path.flight().apex_time_s);
@@ -323,11 +325,11 @@ TEST(Ballistics, AThinRidgeIsNotJumpedOver) {
   conditions.ground = std::make_shared<Ridge>();
   Shot s = charge7(100);
   s.azimuth_rad = 0.5 * kPi;
-  const Flight flight = ballistics(test::shipped("m107"), conditions).fly(s);
+  const Flight flight = flying(test::shipped("m107"), conditions).fly(s);
   EXPECT_NEAR(flight.range_m, 3990.0, 0.5);
   // Steeper, it clears the ridge and falls beyond.
   s.elevation_rad = mil(400);
-  EXPECT_GT(ballistics(test::shipped("m107"), conditions).fly(s).range_m, 10000.0);
+  EXPECT_GT(flying(test::shipped("m107"), conditions).fly(s).range_m, 10000.0);
 }
 
 TEST(Ballistics, FlatTerrainAndAFlatSurfaceGiveTheSameImpact) {
@@ -337,7 +339,7 @@ TEST(Ballistics, FlatTerrainAndAFlatSurfaceGiveTheSameImpact) {
   s.muzzle_m = {10.0, 32.0, -7.0};
   Conditions flat;
   flat.target_height_m = -2.0;
-  const Flight a = ballistics(test::shipped("m107"), terrain).fly(s), b = ballistics(test::shipped("m107"), flat).fly(s);
+  const Flight a = flying(test::shipped("m107"), terrain).fly(s), b = flying(test::shipped("m107"), flat).fly(s);
   EXPECT_NEAR(a.range_m, b.range_m, 1e-6);
   EXPECT_NEAR(a.height_m, -2.0, 1e-6);
 }
@@ -362,7 +364,7 @@ TEST(Ballistics, ManyShotsHaveTheBitsOfSingleOnesForAnyNumberOfThreads) {
   conditions.latitude_rad = 0.7;
   const auto shots = manyShots();
   for (const FlightModel kind : {FlightModel::modified_point_mass, FlightModel::simplified_modified_point_mass, FlightModel::point_mass, FlightModel::vacuum}) {
-    const Ballistics model = ballistics(test::shipped("m107"), conditions, kind);
+    const Ballistics model = flying(test::shipped("m107"), conditions, kind);
     std::vector<Flight> single, many(shots.size());
     for (const Shot& s : shots) single.push_back(model.fly(s));
     for (const int threads : {1, 2, 3, 7}) {
@@ -373,12 +375,33 @@ TEST(Ballistics, ManyShotsHaveTheBitsOfSingleOnesForAnyNumberOfThreads) {
   }
 }
 
+TEST(Ballistics, EveryInstructionSetGivesTheSameBits) {
+  using namespace ballistics;
+  const Projectile m107 = test::shipped("m107");
+  const auto setup = setupOf(m107, {}, FlightModel::modified_point_mass, {});
+  std::vector<ShotConstants> constants;
+  for (const Shot& s : manyShots())
+    if (s.speed_mps > 0.0) constants.push_back(constantsOf(setup, s));
+  std::vector<Progress> best(constants.size()), baseline(constants.size());
+  bestKernels().fly_many(setup, constants.data(), best.data(), constants.size());
+  baselineKernels().fly_many(setup, constants.data(), baseline.data(), constants.size());
+  for (std::size_t i = 0; i < constants.size(); ++i) {
+    Progress alone;
+    baselineKernels().fly_one(setup, constants[i], alone, nullptr);
+    for (const Progress* other : {&baseline[i], &alone}) {
+      EXPECT_TRUE(best[i].flight == other->flight) << i;
+      EXPECT_EQ(std::memcmp(best[i].impact_state, other->impact_state, sizeof alone.impact_state), 0) << i;
+      EXPECT_EQ(best[i].yaw2_max, other->yaw2_max) << i;
+    }
+  }
+}
+
 TEST(Ballistics, TheThesisRowsAreMetWithinTheirBounds) {
   const auto tables = thesisTables();
   ASSERT_TRUE(tables) << tables.error().text();
   ASSERT_EQ(tables->rows.size(), 6u);
   const Projectile m107 = test::shipped("m107");
-  const Ballistics model = ballistics(m107);
+  const Ballistics model = flying(m107);
   for (const ThesisRow& row : tables->rows) {
     const auto charge = findCharge(m107, row.charge);
     ASSERT_TRUE(charge);
@@ -410,8 +433,8 @@ TEST(Ballistics, CurvedGravityCarriesAsFarAsTheEarthFallsAway) {
   Conditions curved;
   curved.gravity = GravityModel::curved;
   const Projectile p = test::shipped("m107");
-  const double far = ballistics(p, curved).fly(charge7(533)).range_m - ballistics(p).fly(charge7(533)).range_m;
-  const double near = ballistics(p, curved).fly(shot(297, mil(533))).range_m - ballistics(p).fly(shot(297, mil(533))).range_m;
+  const double far = flying(p, curved).fly(charge7(533)).range_m - flying(p).fly(charge7(533)).range_m;
+  const double near = flying(p, curved).fly(shot(297, mil(533))).range_m - flying(p).fly(shot(297, mil(533))).range_m;
   EXPECT_NEAR(far, 13.0, 4.0);
   EXPECT_NEAR(near, 4.0, 1.5);
   curved.has_latitude = true;
@@ -422,7 +445,7 @@ TEST(Ballistics, CurvedGravityCarriesAsFarAsTheEarthFallsAway) {
 TEST(Ballistics, AltitudeThinsTheAir) {
   Conditions high;
   high.muzzle_altitude_m = 2000.0;
-  EXPECT_GT(ballistics(test::shipped("m107"), high).fly(charge7(533)).range_m, ballistics(test::shipped("m107")).fly(charge7(533)).range_m + 500.0);
+  EXPECT_GT(flying(test::shipped("m107"), high).fly(charge7(533)).range_m, flying(test::shipped("m107")).fly(charge7(533)).range_m + 500.0);
 }
 
 }  // namespace

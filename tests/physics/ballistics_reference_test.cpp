@@ -11,7 +11,7 @@ namespace npsee {
 namespace {
 
 using nlohmann::json;
-using test::ballistics;
+using test::flying;
 using test::mil;
 
 const json& cases() {
@@ -51,7 +51,7 @@ TEST(BallisticsReference, EveryCaseOfTheFileBelongsToATestHere) {
 }
 
 TEST(BallisticsReference, AnIndependentModifiedPointMassCodeAgreesWithinFiveCentimetres) {
-  const Ballistics model = ballistics(independentShell());
+  const Ballistics model = flying(independentShell());
   for (const json& item : byPrefix("ob_")) {
     const Flight flight = model.fly(test::shot(item["v0"], mil(item["qe_mil"])));
     EXPECT_NEAR(flight.range_m, item["expected"]["range"], 0.05) << item["id"];
@@ -69,7 +69,7 @@ TEST(BallisticsReference, AnIndependentDragOnlyCodeAgreesWithinFiveCentimetres) 
   cd.interpolation = Interpolation::linear;
   Conditions conditions;
   conditions.gravity = GravityModel::inverse_square;
-  const Ballistics model = ballistics(p, conditions, FlightModel::point_mass);
+  const Ballistics model = flying(p, conditions, FlightModel::point_mass);
   for (const json& item : byPrefix("dragonly3dof_")) {
     const Flight flight = model.fly(test::shot(684.0, item["qe_deg"].get<double>() * kPi / 180.0));
     EXPECT_NEAR(flight.range_m, item["expected"]["range"], 0.05) << item["id"];
@@ -79,7 +79,7 @@ TEST(BallisticsReference, AnIndependentDragOnlyCodeAgreesWithinFiveCentimetres) 
 TEST(BallisticsReference, HodographQuadratureAgreesWithinACentimetre) {
   for (const json& item : byPrefix("qd_")) {
     const Projectile p = test::sphere(item["mass_kg"], item["d_m"], item["CD"]);
-    const Flight flight = ballistics(p, test::constantAir(item["rho"])).fly(test::shot(item["v0"], mil(item["qe_mil"])));
+    const Flight flight = flying(p, test::constantAir(item["rho"])).fly(test::shot(item["v0"], mil(item["qe_mil"])));
     const json& expected = item["expected"];
     EXPECT_NEAR(flight.range_m, expected["range"], 0.01) << item["id"];
     EXPECT_NEAR(flight.time_of_flight_s, expected["tof"], 1e-4) << item["id"];
@@ -105,7 +105,7 @@ TEST(BallisticsReference, DragProportionalToSpeedFollowsItsClosedForm) {
   }
   Conditions conditions = test::constantAir();
   conditions.atmosphere.sound_speed_mps = 340.29399;
-  const Flight flight = ballistics(p, conditions).fly(test::shot(item["v0"], mil(item["qe_mil"])));
+  const Flight flight = flying(p, conditions).fly(test::shot(item["v0"], mil(item["qe_mil"])));
   EXPECT_NEAR(flight.range_m, item["expected"]["range"], 0.01);
   EXPECT_NEAR(flight.time_of_flight_s, item["expected"]["tof"], 1e-4);
   EXPECT_NEAR(flight.apex_time_s, item["expected"]["t_apex"], 1e-3);
@@ -114,7 +114,7 @@ TEST(BallisticsReference, DragProportionalToSpeedFollowsItsClosedForm) {
 
 TEST(BallisticsReference, AVerticalShotWithQuadraticDragFollowsItsClosedForm) {
   const json& item = byId("vertical_cd030_300");
-  const Flight flight = ballistics(test::sphere(43.0913, 0.155, 0.3), test::constantAir()).fly(test::shot(item["v0"], mil(item["qe_mil"])));
+  const Flight flight = flying(test::sphere(43.0913, 0.155, 0.3), test::constantAir()).fly(test::shot(item["v0"], mil(item["qe_mil"])));
   EXPECT_NEAR(flight.max_ordinate_m, item["expected"]["max_ordinate"], 0.01);
   EXPECT_NEAR(flight.apex_time_s, item["expected"]["t_up"], 1e-3);
   EXPECT_NEAR(flight.time_of_flight_s, item["expected"]["t_total"], 1e-3);
@@ -124,7 +124,7 @@ TEST(BallisticsReference, AVerticalShotWithQuadraticDragFollowsItsClosedForm) {
 
 TEST(BallisticsReference, TheVacuumFollowsTheParabola) {
   const json& item = byId("vacuum_297_533_h0");
-  const Flight flight = ballistics(test::shipped("m107"), {}, FlightModel::vacuum).fly(test::shot(item["v0"], mil(item["qe_mil"])));
+  const Flight flight = flying(test::shipped("m107"), {}, FlightModel::vacuum).fly(test::shot(item["v0"], mil(item["qe_mil"])));
   EXPECT_NEAR(flight.range_m, item["expected"]["range"], 1e-6);
   EXPECT_NEAR(flight.time_of_flight_s, item["expected"]["tof"], 1e-9);
   EXPECT_NEAR(flight.max_ordinate_m, item["expected"]["max_ordinate"], 1e-6);
@@ -136,7 +136,7 @@ TEST(BallisticsReference, CoriolisInAVacuumAgreesWithTheMatrixExponential) {
   Conditions conditions;
   conditions.coriolis = conditions.has_latitude = true;
   conditions.latitude_rad = item["lat_deg"].get<double>() * kPi / 180.0;
-  const Flight flight = ballistics(test::shipped("m107"), conditions, FlightModel::vacuum).fly(test::shot(item["v0"], mil(item["qe_mil"])));
+  const Flight flight = flying(test::shipped("m107"), conditions, FlightModel::vacuum).fly(test::shot(item["v0"], mil(item["qe_mil"])));
   EXPECT_NEAR(flight.range_m, item["expected"]["range"], 0.01);
   EXPECT_NEAR(flight.drift_m, item["expected"]["right"], 0.01);
   EXPECT_NEAR(flight.time_of_flight_s, item["expected"]["tof"], 1e-4);
@@ -144,7 +144,7 @@ TEST(BallisticsReference, CoriolisInAVacuumAgreesWithTheMatrixExponential) {
 
 TEST(BallisticsReference, FiringTableRowsAreMetByTheUnfittedModel) {
   const Projectile m107 = test::shipped("m107");
-  const Ballistics model = ballistics(m107);
+  const Ballistics model = flying(m107);
   for (const json& item : byPrefix("ft_")) {
     const auto charge = findCharge(m107, item["charge"].get<std::string>());
     ASSERT_TRUE(charge);

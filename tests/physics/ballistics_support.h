@@ -29,7 +29,7 @@ inline Projectile sphere(double mass_kg, double diameter_m, double cd) {
   return p;
 }
 
-inline Ballistics ballistics(const Projectile& projectile, const Conditions& conditions = {}, FlightModel model = FlightModel::modified_point_mass,
+inline Ballistics flying(const Projectile& projectile, const Conditions& conditions = {}, FlightModel model = FlightModel::modified_point_mass,
                              const Integration& integration = {}) {
   auto made = Ballistics::make(projectile, conditions, model, integration);
   if (!made) throw std::runtime_error(made.error().text());

@@ -2,7 +2,9 @@
 
 #include <npsee/ballistics.h>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace npsee {
 
@@ -55,10 +57,14 @@ class Aimer {
   Shot shotAt(double elevation_rad, double turn_rad) const;
   double rangeAt(double elevation_rad, double turn_rad, Flight& flight) const;
   void findMaximum();
+  void narrowMaximum();
+  void searchMaximum(int flights);
+  std::array<Sample, 3> aroundBest() const;
   bool turningMatters() const;
   /// The branch below (-1) or above (1) the elevation of greatest range.
   std::optional<AimSolution> branch(double range_m, int direction) const;
-  Sample root(double range_m, Sample near, Sample far, double turn_rad, double first, Flight& flight) const;
+  Sample root(double range_m, Sample near, Sample far, double first, Flight& flight) const;
+  Sample polished(double range_m, Sample start, double turn_rad, Flight& flight) const;
   std::optional<AimSolution> solve(double range_m, Sample near, Sample far, double guess_rad) const;
 
   Ballistics ballistics_;
