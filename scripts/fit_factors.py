@@ -38,7 +38,7 @@ def polynomial(numbers, mil):
 
 
 def impact(npsee, charge, mil, form, lift):
-    out = subprocess.run([npsee, "fly", "--projectile", str(SHELL), "--charge", charge, "--qe", f"{mil}mil", "--json", "--set", f"form={form!r}", "--set", f"lift={lift!r}"],
+    out = subprocess.run([npsee, "fly", "--projectile", str(SHELL), "--charge", charge, "--qe", f"{mil}mil", "--json", "--tolerance", "1e-7", "--set", f"form={form!r}", "--set", f"lift={lift!r}"],
                          capture_output=True, text=True, check=True)
     flight = json.loads(out.stdout)
     return flight["range_m"], flight["drift_m"]
