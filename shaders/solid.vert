@@ -24,7 +24,7 @@ uniform float u_metre_per_pixel; // metres that a pixel spans at a distance of o
 uniform vec2 u_opacity;          // opacities drawn: above x, at most y
 uniform float u_two_sided;       // 1: the normal is turned towards the eye
 
-flat out vec4 v_flat;  // premultiplied light and opacity of the facet
+flat out vec4 v_flat;  // premultiplied light and opacity of the facet whose last corner this is
 out vec4 v_smooth;
 
 void main() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace npsee::render {
 namespace {
@@ -32,8 +33,20 @@ Mesh tetrahedron() {
   Mesh mesh;
   const double s = 0.5 / std::sqrt(3.0);
   mesh.hull = {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
-  for (int left_out = 0; left_out < 4; ++left_out)
-    addFacet(mesh, mesh.hull[(left_out + 1) % 4], mesh.hull[(left_out + 2) % 4], mesh.hull[(left_out + 3) % 4]);
+  // Four corners serve four facets: a facet takes its light from its last corner, and each corner is last in one facet. Twelve
+  // corners would be shaded three times as long.
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const Vec3 normal = -1.0 * unit(mesh.hull[(corner + 3) % 4]);
+    addVertex(mesh, mesh.hull[corner], normal);
+    mesh.indices.pop_back();
+  }
+  for (std::size_t last = 0; last < 4; ++last) {
+    std::size_t first = (last + 1) % 4, second = (last + 2) % 4;
+    const Vec3 &a = mesh.hull[first], &b = mesh.hull[second], &c = mesh.hull[last];
+    // Counter-clockwise from outside.
+    if (dot(cross(b - a, c - a), a + b + c) < 0.0) std::swap(first, second);
+    for (const std::size_t index : {first, second, last}) mesh.indices.push_back(static_cast<std::uint16_t>(index));
+  }
   // A third of the way between lying on a facet (1/6) and standing on a corner (1/2): seldom floating, hardly buried.
   mesh.lift_limit = 0.26;
   return mesh;

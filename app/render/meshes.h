@@ -20,7 +20,7 @@ struct Mesh {
   std::vector<std::uint16_t> indices;
   std::vector<Vec3> hull;    ///< corners that can touch the ground first, at most 8; empty for a ball
   double lift_limit = 0.5;   ///< largest lift off the ground as a fraction of the size
-  bool facets = true;        ///< one light per facet
+  bool facets = true;        ///< one light per facet, that of its last corner
   bool two_sided = false;
 };
 
