@@ -63,10 +63,12 @@ void Session::sampleLaunch() {
   const auto span = std::ranges::find(explosion_->layers(), layer.name, &LayerSpan::name);
   if (span == explosion_->layers().end() || !layer.parent.empty() || layer.duration_s > 0.0) return;
   explosion_->at(layer.start_s, launch_, kVelocity);
+  // Frames show the size with its curve over life; what was drawn is the size without it.
+  const double grown = layer.size_over_life.empty() ? 1.0 : layer.size_over_life.front().value;
   for (std::size_t i = span->first; i < span->first + span->count; ++i) {
     if (launch_.alive[i] == 0) continue;
     sample_.speed_mps.push_back(std::hypot(launch_.vx[i], launch_.vy[i], launch_.vz[i]));
-    sample_.size_m.push_back(launch_.size[i]);
+    if (grown > 0.0) sample_.size_m.push_back(static_cast<float>(launch_.size[i] / grown));
   }
 }
 

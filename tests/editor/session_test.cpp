@@ -94,6 +94,10 @@ TEST(Session, TheHistogramsValuesFollowTheDistribution) {
   // Uniform within mean +- deviation; 20,000 draws come within a thousandth of the range's ends.
   EXPECT_NEAR(static_cast<double>(least), 36.0, 0.02);
   EXPECT_NEAR(static_cast<double>(most), 44.0, 0.02);
+  set("size_deviation", 0.0);
+  set("size_over_life", Curve{{0.0, 0.25}, {1.0, 2.0}});
+  session.update(0.0);
+  EXPECT_NEAR(static_cast<double>(session.launchSample().size_m.front()), session.document.layer().size_mean_m, 1e-6) << "without the curve over life";
   set("duration", 1.0);
   session.update(0.0);
   EXPECT_TRUE(session.launchSample().speed_mps.empty()) << "no single moment shows them all";
