@@ -54,6 +54,10 @@ void layerLine(const PanelContext& ui, int index, int depth) {
   const bool selected = index == document.selected();
   const float text_x = at.x + indent + ui.px(50), text_width = at.x + width - ui.px(56) - text_x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (selected && ui.state.seen_layer != layer.name) {
+    ui.state.seen_layer = layer.name;
+    ImGui::SetScrollFromPosY(at.y + 0.5f * height - ImGui::GetWindowPos().y, 0.5f);
+  }
   if (selected) list.AddRectFilled(at, {at.x + width, at.y + height}, ui.theme.raised, ui.px(4));
   if (selected) list.AddRectFilled({at.x, at.y + ui.px(5)}, {at.x + ui.px(3), at.y + height - ui.px(5)}, ui.theme.accent, ui.px(1));
   if (typingIn(ui, "layer name") && selected) {

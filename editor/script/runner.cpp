@@ -255,10 +255,12 @@ std::optional<std::string> ScriptRunner::fact(Editor& editor, const std::string&
 Expected<ScriptRunner::Progress> ScriptRunner::expect(Editor& editor, const ScriptCommand& command) {
   const std::string& name = command.arguments[0];
   const auto failed = [&](const std::string& what) { failure_ = file_ + ':' + std::to_string(command.line) + ": " + what; };
-  if (command.arguments.size() == 2 && (name == "visible" || name == "hidden")) {
-    const Items::Item* item = editor.items().find(command.arguments[1]);
+  if (name == "visible" || name == "hidden") {
+    // A name with spaces need not be quoted here either.
+    const std::string wanted = command.arguments[1] + (command.arguments.size() > 2 ? ' ' + command.arguments[2] : std::string());
+    const Items::Item* item = editor.items().find(wanted);
     const bool visible = item != nullptr && item->visible;
-    if (visible != (name == "visible")) failed("\"" + command.arguments[1] + "\" is " + (visible ? "visible." : "not visible."));
+    if (visible != (name == "visible")) failed("\"" + wanted + "\" is " + (visible ? "visible." : "not visible."));
     return Progress::done;
   }
   constexpr std::array<std::string_view, 7> kOperators{"=", "!=", "<", ">", "<=", ">=", "contains"};

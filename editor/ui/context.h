@@ -67,6 +67,7 @@ struct UiState {
 
   std::set<std::string> unfolded;  ///< curves and gradients whose points are listed
   render::TemplateHandle handle = render::TemplateHandle::none;  ///< of the template, under the pointer or held
+  std::string seen_layer;  ///< the selected one; another one is scrolled into view
   bool rename_layer = false;  ///< the selected layer's name is being edited
 };
 

@@ -392,6 +392,12 @@ expect layers = 1
 )");
 }
 
+TEST_F(EditorScript, AnAddedLayerIsScrolledIntoView) {
+  std::string script;
+  for (int i = 0; i < 12; ++i) script += "key ctrl+shift+N\n";
+  passes(script + "wait 2\nexpect layers = 13\nexpect layer = layer 12\nexpect visible layer:layer 12\nexpect hidden layer:fragments\nclick layer:fragments\nexpect layer = fragments\n");
+}
+
 TEST_F(EditorScript, SaveAndOpenRoundTrip) {
   passes(R"(set fragments.speed_mean 61
 key ctrl+S
