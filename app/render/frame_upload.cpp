@@ -29,11 +29,11 @@ void FrameUpload::upload(const Frame& frame) {
       glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(section * bytes), static_cast<GLsizeiptr>(bytes), arrays[section]->data());
 }
 
-void FrameUpload::bind(std::size_t first, bool with_orientation) const {
+void FrameUpload::bind(std::size_t first, bool with_orientation, std::size_t every) const {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const std::size_t sections = with_orientation ? kSections : std::size_t{kQx};
   for (std::size_t section = 0; section < sections; ++section)
-    instanceAttribute(static_cast<unsigned>(section), sizeof(float), (section * count_ + first) * sizeof(float));
+    instanceAttribute(static_cast<unsigned>(section), every * sizeof(float), (section * count_ + first) * sizeof(float));
 }
 
 void BlendedUpload::upload(std::span<const BlendedInstance> instances) {

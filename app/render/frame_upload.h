@@ -20,8 +20,8 @@ class FrameUpload {
   void upload(const Frame& frame);
 
   /// Points the bound vertex array's instance attributes at the particles from `first` on. Position, size, colour and
-  /// opacity always; the orientation if `with_orientation`.
-  void bind(std::size_t first, bool with_orientation) const;
+  /// opacity always; the orientation if `with_orientation`. Only every `every`-th particle is bound.
+  void bind(std::size_t first, bool with_orientation, std::size_t every = 1) const;
 
  private:
   gl::Buffer buffer_;

@@ -1,6 +1,13 @@
 #include "app/render/shadow_pass.h"
 
 namespace npsee::render {
+namespace {
+
+// Where there are more pieces than this, their shadows run into each other and cost as much as the pieces themselves; every second,
+// third ... one then stands for its neighbours.
+constexpr std::size_t kMostShadows = 20'000;
+
+}  // namespace
 
 Expected<ShadowPass> ShadowPass::create() {
   auto program = gl::Program::fromFiles("shadow.vert", "shadow.frag");
@@ -26,8 +33,9 @@ void ShadowPass::draw(const View& view, const FrameUpload& particles, std::size_
   // The sun is half a degree wide: 0.009 from one edge of its disc to the other.
   program_.set("u_spread", 0.010f);
   glBindVertexArray(attributes_.name());
-  particles.bind(first, false);
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<GLsizei>(count));
+  const std::size_t every = (count + kMostShadows - 1) / kMostShadows;
+  particles.bind(first, false, every);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<GLsizei>((count + every - 1) / every));
 }
 
 }  // namespace npsee::render
