@@ -1,5 +1,10 @@
 #include "app/commands/command.h"
 
+#include "sim/core/files.h"
+
+#include <npsee/projectile.h>
+#include <npsee/weapons.h>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +37,18 @@ Expected<std::vector<fs::path>> presetsIn(const std::vector<std::string>& argume
   return out;
 }
 
+/// Reads a file as what it is: weapons.dat, a projectile, or else a preset. The error lists its faults.
+Expected<void> readWhole(const fs::path& file) {
+  const auto lift = [](auto read) -> Expected<void> {
+    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    return {};
+  };
+  if (file.extension() == ".dat") return lift(loadWeapons(file));
+  if (!file.string().ends_with(".npsee.json"))
+    if (const auto text = readTextFile(file); text && text->find("\"npsee_projectile\"") != std::string::npos) return lift(parseProjectile(*text, file.string()));
+  return lift(loadPreset(file));
+}
+
 nlohmann::ordered_json faultJson(const Fault& fault) {
   return {{"file", fault.file}, {"line", fault.line}, {"pointer", fault.pointer}, {"what", fault.what}, {"remedy", fault.remedy}};
 }
@@ -44,12 +61,12 @@ int check(const std::vector<std::string>& arguments, bool as_json) {
   std::string text;
   bool unreadable = false;
   for (const fs::path& file : *files) {
-    const auto preset = loadPreset(file);
-    if (preset) continue;
+    const auto read = readWhole(file);
+    if (read) continue;
     ++bad;
     std::error_code ignored;
     unreadable = unreadable || !fs::is_regular_file(file, ignored);
-    for (const Fault& fault : preset.error().faults) {
+    for (const Fault& fault : read.error().faults) {
       faults.push_back(faultJson(fault));
       text += fault.text() + '\n';
     }
@@ -70,8 +87,8 @@ void addCheck(CLI::App& app, Outcome& outcome) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Validate presets: every fault with file, line, message and remedy; exit 1 where there is one");
-  command->add_option("PATH", options->paths, "Preset files, or folders with presets")->required();
+  CLI::App* command = app.add_subcommand("check", "Validate presets, projectiles and weapons.dat: every fault with file, line, message and remedy; exit 1 where there is one");
+  command->add_option("PATH", options->paths, "Preset, projectile or weapons.dat files, or folders with presets")->required();
   command->add_flag("--json", options->json, "Print the faults as JSON");
   command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json");
   command->callback([options, &outcome] { outcome.exit_code = check(options->paths, options->json); });

@@ -28,6 +28,7 @@ void addEdit(CLI::App& app, Outcome& outcome);
 void addFly(CLI::App& app, Outcome& outcome);
 void addTable(CLI::App& app, Outcome& outcome);
 void addAim(CLI::App& app, Outcome& outcome);
+void addWeapons(CLI::App& app, Outcome& outcome);
 
 /// Adds all of the above, in the order of `npsee --help`.
 void addAll(CLI::App& app, Outcome& outcome);

@@ -13,6 +13,7 @@ void addAll(CLI::App& app, Outcome& outcome) {
   addFly(app, outcome);
   addTable(app, outcome);
   addAim(app, outcome);
+  addWeapons(app, outcome);
 }
 
 }  // namespace npsee::commands

@@ -357,6 +357,40 @@ TEST(AimCommand, EveryMistakeIsNamedWithItsRemedy) {
   });
 }
 
+TEST(WeaponsCommand, ShowsAndWritesBackTheFileOf1993) {
+  const std::string shipped = std::string(NPSEE_SOURCE_DIR) + "/assets/weapons.dat";
+  const ProcessResult text = npseeRun({"weapons", shipped});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_NE(text.out.find("155mmM109Howitzer (110): range 7300 m, 297 m/s, radii 100 / 150 / 200 m (kill, damage, noticed), against heavy armor, high angle"), std::string::npos) << text.out;
+  EXPECT_NE(text.err.find("weapons.dat:7: 203mmM110Howitzer states a range of 16800 m"), std::string::npos) << text.err;
+  const json list = json::parse(npseeRun({"weapons", shipped, "--json"}).out);
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[2]["target_type"], 2);
+  EXPECT_EQ(list[2]["path"], "low angle");
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(npseeRun({"weapons", shipped, "-o", folder / "w.dat"}).exit_code, 0);
+  EXPECT_EQ(test::slurp(folder / "w.dat"), npseeRun({"weapons", shipped, "-o", "-"}).out);
+  EXPECT_EQ(json::parse(npseeRun({"weapons", folder / "w.dat", "--json"}).out), list);
+  EXPECT_EQ(npseeRun({"weapons", shipped, "-o", "/nonexistent/w.dat"}).exit_code, 5);
+}
+
+TEST(WeaponsCommand, FaultsHaveFileAndLineHereAndInCheck) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "w.dat", "I gun 7\nD 1 2 3 4 5 9 1\n");
+  const std::string message = (folder / "w.dat") + ":2: targettype of gun is \"9\", but must be a whole number from 0 to 6.";
+  const ProcessResult shown = npseeRun({"weapons", folder / "w.dat"}), checked = npseeRun({"check", folder / "w.dat"});
+  EXPECT_EQ(shown.exit_code, 3);
+  EXPECT_NE(shown.err.find(message), std::string::npos) << shown.err;
+  EXPECT_EQ(checked.exit_code, 1);
+  EXPECT_NE(checked.out.find(message), std::string::npos) << checked.out;
+  EXPECT_EQ(npseeRun({"weapons", folder / "none.dat"}).exit_code, 3);
+  EXPECT_EQ(npseeRun({"check", std::string(NPSEE_SOURCE_DIR) + "/assets/weapons.dat", std::string(NPSEE_SOURCE_DIR) + "/assets/projectiles/m107.json"}).exit_code, 0);
+  test::spill(folder / "p.json", "{\n\"npsee_projectile\": 1,\n\"nam\": 3}");
+  const ProcessResult projectile = npseeRun({"check", folder / "p.json"});
+  EXPECT_EQ(projectile.exit_code, 1);
+  EXPECT_NE(projectile.out.find("p.json:3: /nam: there is no such key."), std::string::npos) << projectile.out;
+}
+
 TEST(BallisticsCommands, HelpHasExamplesAndEveryOption) {
   for (const char* command : {"fly", "table", "aim"}) {
     const ProcessResult help = npseeRun({command, "--help"});
