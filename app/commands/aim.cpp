@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace npsee::commands {
@@ -53,60 +55,69 @@ std::string solutionText(const Found& found, const Projectile& projectile) {
   return out;
 }
 
+/// The distance to the target, and that the gun is laid for.
+struct Ranges {
+  double wanted_m = 0.0, laid_m = 0.0;
+};
+
+Expected<Ranges> rangesOf(const AimOptions& options) {
+  if (options.solution != "low" && options.solution != "high" && options.solution != "both")
+    return fail(ErrorKind::usage, "--solution: there is no \"" + options.solution + "\".", "It is low, high or both.");
+  if (options.range.empty()) return fail(ErrorKind::usage, "no range is given.", "Give the horizontal distance to the target with --range, e.g. --range 5000.");
+  const auto range = parseOption("--range", options.range, Unit::metre);
+  if (!range) return tl::unexpected<Error>(range.error());
+  if (!options.use_legacy) return Ranges{*range, *range};
+  const auto step = parseOption("--legacy-step", options.legacy.empty() ? shortest(kLegacyRangeStep_m) : options.legacy, Unit::metre);
+  if (!step) return tl::unexpected<Error>(step.error());
+  if (!(*step >= 1.0 && *step <= 10000.0)) return fail(ErrorKind::usage, "--legacy-step " + options.legacy + ": the step lies between 1 and 10000 m.");
+  return Ranges{*range, legacyRange(*range, *step)};
+}
+
+std::vector<Found> solutions(const Aimer& aimer, const AimOptions& options, const Ranges& ranges) {
+  std::vector<Found> found;
+  if (options.solution != "high") found.push_back({"low", aimer.low(ranges.laid_m)});
+  if (options.solution != "low") found.push_back({"high", aimer.high(ranges.laid_m)});
+  // Laid for a step of the table, the shell falls where the table says and not on the target.
+  for (Found& f : found)
+    if (f.solution && options.use_legacy) f.solution->miss_m += std::abs(ranges.wanted_m - ranges.laid_m);
+  return found;
+}
+
+std::string answerJson(const Aimer& aimer, const Ranges& ranges, bool reachable, const std::vector<Found>& found, const Projectile& projectile) {
+  ordered_json out{{"range_m", ranges.wanted_m}, {"laid_range_m", ranges.laid_m}, {"reachable", reachable}, {"max_range_m", aimer.maxRange()}, {"max_range_elevation_rad", aimer.maxRangeElevation()}, {"solutions", ordered_json::array()}};
+  for (const Found& f : found)
+    if (f.solution) out["solutions"].push_back(solutionJson(f, projectile));
+  return out.dump(2) + '\n';
+}
+
+std::string answerText(const Aimer& aimer, const Firing& firing, const Ranges& ranges, bool legacy, const std::vector<Found>& found) {
+  std::string text = describe(firing) + "  range " + fixed(ranges.wanted_m, 1) + " m" + (legacy ? ", laid for " + fixed(ranges.laid_m, 1) + " m" : "") + "; the maximum is " + fixed(aimer.maxRange(), 1) + " m at " +
+                     fixed(aimer.maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
+  for (const Found& f : found) text += solutionText(f, firing.projectile);
+  return text;
+}
+
 int aim(const AimOptions& options) {
   const auto firing = resolve(options.shot);
   if (!firing) return report(firing.error());
-  if (options.solution != "low" && options.solution != "high" && options.solution != "both")
-    return report(fail(ErrorKind::usage, "--solution: there is no \"" + options.solution + "\".", "It is low, high or both.").value());
-  if (options.range.empty()) return report(fail(ErrorKind::usage, "no range is given.", "Give the horizontal distance to the target with --range, e.g. --range 5000.").value());
-  auto range = parseOption("--range", options.range, Unit::metre);
-  if (!range) return report(range.error());
-  const double wanted = *range;
-  if (options.use_legacy) {
-    const auto step = parseOption("--legacy-step", options.legacy.empty() ? shortest(kLegacyRangeStep_m) : options.legacy, Unit::metre);
-    if (!step) return report(step.error());
-    if (!(*step >= 1.0 && *step <= 10000.0)) return report(fail(ErrorKind::usage, "--legacy-step " + options.legacy + ": the step lies between 1 and 10000 m.").value());
-    *range = legacyRange(wanted, *step);
-  }
+  const auto ranges = rangesOf(options);
+  if (!ranges) return report(ranges.error());
   const auto ballistics = firing->ballistics();
   if (!ballistics) return report(ballistics.error());
-  AimRequest request;
-  request.speed_mps = firing->charge.speed_mps;
-  request.factors = firing->charge.factors;
-  if (firing->fixed_factors) request.factors = FactorCurves{0.0, 0.0, {firing->factors.form}, {firing->factors.lift}, {firing->factors.magnus}, {firing->factors.yaw_drag}, {}};
-  request.azimuth_rad = firing->azimuth_rad;
-  request.wind_mps = firing->wind_mps;
-  request.height_m = firing->conditions.target_height_m;
-  const auto aimer = Aimer::make(*ballistics, request);
+  const auto aimer = Aimer::make(*ballistics, firing->aimRequest());
   if (!aimer) return report(aimer.error());
 
-  const auto reach = aimer->checkReach(*range);
-  std::vector<Found> found;
-  if (reach && options.solution != "high") found.push_back({"low", aimer->low(*range)});
-  if (reach && options.solution != "low") found.push_back({"high", aimer->high(*range)});
-  bool any = false;
-  for (Found& f : found) {
-    // Laid for a step of the table, the shell falls where the table says and not on the target.
-    if (f.solution) f.solution->miss_m += options.use_legacy ? std::abs(wanted - *range) : 0.0;
-    any = any || f.solution.has_value();
-  }
-
-  std::string text;
+  const auto reach = aimer->checkReach(ranges->laid_m);
+  const std::vector<Found> found = reach ? solutions(*aimer, options, *ranges) : std::vector<Found>();
   if (options.json) {
-    ordered_json out{{"range_m", wanted}, {"laid_range_m", *range}, {"reachable", static_cast<bool>(reach)}, {"max_range_m", aimer->maxRange()}, {"max_range_elevation_rad", aimer->maxRangeElevation()}, {"solutions", ordered_json::array()}};
-    for (const Found& f : found)
-      if (f.solution) out["solutions"].push_back(solutionJson(f, firing->projectile));
-    text = out.dump(2) + '\n';
+    if (const int code = writeResult(answerJson(*aimer, *ranges, static_cast<bool>(reach), found, firing->projectile)); code != 0) return code;
   } else if (reach) {
-    text = describe(*firing) + "  range " + fixed(wanted, 1) + " m" + (options.use_legacy ? ", laid for " + fixed(*range, 1) + " m" : "") + "; the maximum is " + fixed(aimer->maxRange(), 1) + " m at " +
-           fixed(aimer->maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
-    for (const Found& f : found) text += solutionText(f, firing->projectile);
+    if (const int code = writeResult(answerText(*aimer, *firing, *ranges, options.use_legacy, found)); code != 0) return code;
   }
-  if (const int code = text.empty() ? 0 : writeResult(text); code != 0) return code;
-  if (reach) return any ? 0 : 1;
+  if (reach) return std::ranges::any_of(found, [](const Found& f) { return f.solution.has_value(); }) ? 0 : 1;
   const int code = report(reach.error());
   // Out of reach is an answer; a range below zero is a mistake.
-  return *range > 0.0 ? 1 : code;
+  return ranges->laid_m > 0.0 ? 1 : code;
 }
 
 }  // namespace

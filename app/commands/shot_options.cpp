@@ -234,6 +234,16 @@ Shot Firing::shot(double elevation_rad) const {
   return shot;
 }
 
+AimRequest Firing::aimRequest() const {
+  AimRequest request;
+  request.speed_mps = charge.speed_mps;
+  request.factors = fixed_factors ? FactorCurves{0.0, 0.0, {factors.form}, {factors.lift}, {factors.magnus}, {factors.yaw_drag}, {}} : charge.factors;
+  request.azimuth_rad = azimuth_rad;
+  request.wind_mps = wind_mps;
+  request.height_m = conditions.target_height_m;
+  return request;
+}
+
 void addShotOptions(CLI::App& command, ShotOptions& o) {
   const auto option = [&](const char* name, std::string& into, const std::string& help, const char* type) { return command.add_option(name, into, help)->type_name(type); };
   const std::string projectile = "Projectile";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <npsee/aiming.h>
 #include <npsee/ballistics.h>
 
 #include <string>
@@ -37,6 +38,8 @@ struct Firing {
 
   /// The shot at an elevation, with the charge's factors for it.
   Shot shot(double elevation_rad) const;
+  /// What an Aimer is to hit: the azimuth is the target's bearing, the wind lies along the line to it.
+  AimRequest aimRequest() const;
   Expected<Ballistics> ballistics() const { return Ballistics::make(projectile, conditions, model, integration); }
 };
 /// Error kind usage names the option; kind input is about a file. `needs_charge`: refuse when no muzzle velocity is known.

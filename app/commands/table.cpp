@@ -119,14 +119,7 @@ int rangeTable(const TableOptions& options, const Firing& firing) {
   if (!ranges) return report(ranges.error());
   const auto ballistics = firing.ballistics();
   if (!ballistics) return report(ballistics.error());
-  AimRequest request;
-  request.speed_mps = firing.charge.speed_mps;
-  request.factors = firing.charge.factors;
-  if (firing.fixed_factors) request.factors = FactorCurves{0.0, 0.0, {firing.factors.form}, {firing.factors.lift}, {firing.factors.magnus}, {firing.factors.yaw_drag}, {}};
-  request.azimuth_rad = firing.azimuth_rad;
-  request.wind_mps = firing.wind_mps;
-  request.height_m = firing.conditions.target_height_m;
-  const auto aimer = Aimer::make(*ballistics, request);
+  const auto aimer = Aimer::make(*ballistics, firing.aimRequest());
   if (!aimer) return report(aimer.error());
   std::vector<Column> columns = {{"target m", "target_range_m", 1}, {"azimuth mil", "azimuth_correction_mil", 2}};
   columns.insert(columns.end(), kFlightColumns.begin(), kFlightColumns.end());
@@ -151,6 +144,62 @@ int rangeTable(const TableOptions& options, const Firing& firing) {
 /// Range and deflection as the thesis prints an impact.
 std::string impact(double range_m, double deflection_m) { return fixed(range_m, 0) + " / " + fixed(deflection_m, 1); }
 
+/// A row of the thesis beside our three flights.
+struct Comparison {
+  const ThesisRow& row;
+  Flight vacuum, unfitted, fitted;
+
+  double ceps(const Flight& f) const { return errorInCeps(row, f.range_m, f.drift_m); }
+  double ceps(const PublishedImpact& p) const { return errorInCeps(row, p.range_m, p.deflection_m); }
+};
+
+Row comparisonText(const Comparison& c) {
+  Row out{c.row.charge, c.row.elevation_rad * 3200.0 / kPi, c.row.cep_m, impact(c.row.firing_table.range_m, c.row.firing_table.deflection_m)};
+  const auto published = [&](const PublishedImpact& p) { out.insert(out.end(), {impact(p.range_m, p.deflection_m), c.ceps(p)}); };
+  const auto flown = [&](const Flight& f) { out.insert(out.end(), {impact(f.range_m, f.drift_m), c.ceps(f)}); };
+  published(c.row.thesis_vacuum);
+  flown(c.vacuum);
+  published(c.row.thesis_model);
+  flown(c.unfitted);
+  flown(c.fitted);
+  return out;
+}
+
+Row comparisonNumbers(const Comparison& c) {
+  Row out{c.row.charge, c.row.elevation_rad * 3200.0 / kPi, c.row.cep_m, c.row.firing_table.range_m, c.row.firing_table.deflection_m};
+  const auto published = [&](const PublishedImpact& p) { out.insert(out.end(), {p.range_m, p.deflection_m, c.ceps(p)}); };
+  const auto flown = [&](const Flight& f) { out.insert(out.end(), {f.range_m, f.drift_m, c.ceps(f)}); };
+  published(c.row.thesis_vacuum);
+  flown(c.vacuum);
+  published(c.row.thesis_model);
+  flown(c.unfitted);
+  flown(c.fitted);
+  return out;
+}
+
+const std::vector<Column> kThesisText = {{"charge", "", 0},       {"QE mil", "", 2}, {"CEP m", "", 2},        {"firing table", "", 0}, {"thesis vacuum", "", 0}, {"CEPs", "", 1}, {"our vacuum", "", 0},
+                                         {"CEPs", "", 1},         {"thesis model", "", 0}, {"CEPs", "", 2},   {"unfitted", "", 0},     {"CEPs", "", 2},          {"fitted", "", 0}, {"CEPs", "", 2}};
+const std::vector<Column> kThesisNumbers = {{"", "charge", 0},
+                                            {"", "elevation_mil", 2},
+                                            {"", "cep_m", 2},
+                                            {"", "firing_table_range_m", 1},
+                                            {"", "firing_table_deflection_m", 1},
+                                            {"", "thesis_vacuum_range_m", 1},
+                                            {"", "thesis_vacuum_deflection_m", 1},
+                                            {"", "thesis_vacuum_ceps", 2},
+                                            {"", "vacuum_range_m", 1},
+                                            {"", "vacuum_deflection_m", 1},
+                                            {"", "vacuum_ceps", 2},
+                                            {"", "thesis_model_range_m", 1},
+                                            {"", "thesis_model_deflection_m", 1},
+                                            {"", "thesis_model_ceps", 2},
+                                            {"", "unfitted_range_m", 1},
+                                            {"", "unfitted_deflection_m", 1},
+                                            {"", "unfitted_ceps", 2},
+                                            {"", "fitted_range_m", 1},
+                                            {"", "fitted_deflection_m", 1},
+                                            {"", "fitted_ceps", 2}};
+
 int thesisTable(const TableOptions& options) {
   const auto tables = thesisTables();
   if (!tables) return report(tables.error());
@@ -162,7 +211,7 @@ int thesisTable(const TableOptions& options) {
   if (!ballistics) return report(ballistics.error());
   if (!vacuum) return report(vacuum.error());
 
-  std::vector<Row> rows, numbers;
+  std::vector<Row> rows;
   double worst_unfitted = 0.0, worst_fitted = 0.0;
   for (const ThesisRow& row : tables->rows) {
     const auto charge = findCharge(firing->projectile, row.charge);
@@ -171,29 +220,15 @@ int thesisTable(const TableOptions& options) {
     fitted.charge = plain.charge = *charge;
     plain.charge.factors = {};
     plain.fixed_factors = false;
-    const Flight v = vacuum->fly(plain.shot(row.elevation_rad)), u = ballistics->fly(plain.shot(row.elevation_rad)), f = ballistics->fly(fitted.shot(row.elevation_rad));
-    const auto ceps = [&](double range, double deflection) { return errorInCeps(row, range, deflection); };
-    const double eu = ceps(u.range_m, u.drift_m), ef = ceps(f.range_m, f.drift_m), ev = ceps(v.range_m, v.drift_m);
-    const double t1 = ceps(row.thesis_vacuum.range_m, row.thesis_vacuum.deflection_m), t2 = ceps(row.thesis_model.range_m, row.thesis_model.deflection_m);
-    worst_unfitted = std::max(worst_unfitted, eu);
-    worst_fitted = std::max(worst_fitted, ef);
-    const double mil = row.elevation_rad * 3200.0 / kPi;
-    rows.push_back({row.charge, mil, row.cep_m, impact(row.firing_table.range_m, row.firing_table.deflection_m), impact(row.thesis_vacuum.range_m, row.thesis_vacuum.deflection_m), t1, impact(v.range_m, v.drift_m), ev,
-                    impact(row.thesis_model.range_m, row.thesis_model.deflection_m), t2, impact(u.range_m, u.drift_m), eu, impact(f.range_m, f.drift_m), ef});
-    numbers.push_back({row.charge, mil, row.cep_m, row.firing_table.range_m, row.firing_table.deflection_m, row.thesis_vacuum.range_m, row.thesis_vacuum.deflection_m, t1, v.range_m, v.drift_m, ev, row.thesis_model.range_m,
-                       row.thesis_model.deflection_m, t2, u.range_m, u.drift_m, eu, f.range_m, f.drift_m, ef});
+    const Shot shot = plain.shot(row.elevation_rad);
+    const Comparison c{row, vacuum->fly(shot), ballistics->fly(shot), ballistics->fly(fitted.shot(row.elevation_rad))};
+    worst_unfitted = std::max(worst_unfitted, c.ceps(c.unfitted));
+    worst_fitted = std::max(worst_fitted, c.ceps(c.fitted));
+    rows.push_back(options.format == "text" ? comparisonText(c) : comparisonNumbers(c));
   }
-  const std::string title = tables->title + "\nimpacts as range / deflection in m; errors in CEPs, hypot(range error, deflection error) / CEP\n";
-  if (options.format != "text") {
-    const std::vector<Column> columns = {{"", "charge", 0}, {"", "elevation_mil", 2}, {"", "cep_m", 2}, {"", "firing_table_range_m", 1}, {"", "firing_table_deflection_m", 1},
-                                         {"", "thesis_vacuum_range_m", 1}, {"", "thesis_vacuum_deflection_m", 1}, {"", "thesis_vacuum_ceps", 2}, {"", "vacuum_range_m", 1}, {"", "vacuum_deflection_m", 1}, {"", "vacuum_ceps", 2},
-                                         {"", "thesis_model_range_m", 1}, {"", "thesis_model_deflection_m", 1}, {"", "thesis_model_ceps", 2}, {"", "unfitted_range_m", 1}, {"", "unfitted_deflection_m", 1}, {"", "unfitted_ceps", 2},
-                                         {"", "fitted_range_m", 1}, {"", "fitted_deflection_m", 1}, {"", "fitted_ceps", 2}};
-    return print(options.format, tables->title, columns, numbers);
-  }
-  const std::vector<Column> columns = {{"charge", "", 0}, {"QE mil", "", 2}, {"CEP m", "", 2}, {"firing table", "", 0}, {"thesis vacuum", "", 0}, {"CEPs", "", 1}, {"our vacuum", "", 0}, {"CEPs", "", 1},
-                                       {"thesis model", "", 0}, {"CEPs", "", 2}, {"unfitted", "", 0}, {"CEPs", "", 2}, {"fitted", "", 0}, {"CEPs", "", 2}};
-  return print("text", title, columns, rows, "worst row: unfitted " + fixed(worst_unfitted, 2) + " CEPs, fitted " + fixed(worst_fitted, 2) + " CEPs\n");
+  if (options.format != "text") return print(options.format, tables->title, kThesisNumbers, rows);
+  return print("text", tables->title + "\nimpacts as range / deflection in m; errors in CEPs, hypot(range error, deflection error) / CEP\n", kThesisText, rows,
+               "worst row: unfitted " + fixed(worst_unfitted, 2) + " CEPs, fitted " + fixed(worst_fitted, 2) + " CEPs\n");
 }
 
 int table(TableOptions options) {
