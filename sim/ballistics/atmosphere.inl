@@ -3,7 +3,7 @@
 template <class R>
 NPSEE_KERNEL_INLINE R number(double value) {
   if constexpr (sizeof(R) == sizeof(double)) return value;
-  else return all(value);
+  else return filled<R>(value);
 }
 
 /// The second number where the first is not one.

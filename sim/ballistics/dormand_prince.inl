@@ -5,6 +5,7 @@
 
 NPSEE_KERNEL_INLINE double lane(double x, int) { return x; }
 NPSEE_KERNEL_INLINE double lane(const Doubles& x, int i) { return x[i]; }
+NPSEE_KERNEL_INLINE double lane(const Eight& x, int i) { return x[i]; }
 
 // Source: Dormand and Prince 1980; Hairer, Norsett and Wanner, Solving ODEs I, table II.5.2.
 constexpr double kNodes[7] = {0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};

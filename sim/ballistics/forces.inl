@@ -52,6 +52,13 @@ struct Place<Doubles> {
   }
 };
 
+template <>
+struct Place<Eight> {
+  Place<Doubles> a, b;
+  Place(const CompiledAero& aero, const Eight& mach) : a(aero, mach.low), b(aero, mach.high) {}
+  __attribute__((always_inline)) Eight operator[](Coefficient c) const { return {a[c], b[c]}; }
+};
+
 template <class R>
 struct V3 {
   R x, y, z;

@@ -76,7 +76,7 @@ struct Recorder {
 
 /// The code that exists once per instruction set; all sets give equal bits.
 struct Kernels {
-  /// Dormand-Prince flights of `count` shots, four at a time.
+  /// Dormand-Prince flights of `count` shots, four or eight at a time.
   void (*fly_many)(const Setup&, const ShotConstants*, Progress*, std::size_t count);
   /// One flight, kept by `recorder` where that is not null.
   void (*fly_one)(const Setup&, const ShotConstants&, Progress&, Recorder* recorder);

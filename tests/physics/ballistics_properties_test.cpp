@@ -367,6 +367,9 @@ TEST(Ballistics, ManyShotsHaveTheBitsOfSingleOnesForAnyNumberOfThreads) {
     const Ballistics model = flying(test::shipped("m107"), conditions, kind);
     std::vector<Flight> single, many(shots.size());
     for (const Shot& s : shots) single.push_back(model.fly(s));
+    std::vector<Flight> few(11);
+    model.flyMany(std::span(shots).first(few.size()), few, 1);
+    for (std::size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(few[i] == single[i]) << "shot " << i << " of a few";
     for (const int threads : {1, 2, 3, 7}) {
       std::ranges::fill(many, Flight{});
       model.flyMany(shots, many, threads);
