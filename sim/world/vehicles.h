@@ -35,9 +35,9 @@ class Vehicles {
   // the implementer's
 };
 
-/// Graded damage of one burst to one target; game values, nothing operational. Source: world.md section 2 and the table in damage.cpp.
-struct Harm { double hull = 0.0; bool mobility = false, firepower = false, destroyed = false; };
-/// `earlier` is what it had before; draws come from (seed, vehicle, Purpose::damage, count).
-Harm harm(const Weapon& weapon, TargetClass target, double miss_m, const DamageStep& earlier, std::int64_t seed, std::uint32_t vehicle, std::uint32_t count);
+/// Graded damage of one burst to one target: the state after it, given the state before (hull accumulates, 1 = destroyed; mobility
+/// and firepower stay lost). A weapon whose target type does not fit does less. Draws come from (seed, vehicle, Purpose::damage,
+/// count). Game values, nothing operational. The numbers: the table in damage.cpp.
+DamageStep harmed(const Weapon& weapon, TargetClass target, double miss_m, const DamageStep& earlier, std::int64_t seed, std::uint32_t vehicle, std::uint32_t count, double time_s);
 
 }  // namespace npsee::world
