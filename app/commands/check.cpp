@@ -3,6 +3,7 @@
 #include "sim/core/files.h"
 
 #include <npsee/projectile.h>
+#include <npsee/scenario.h>
 #include <npsee/weapons.h>
 
 #include <CLI/CLI.hpp>
@@ -17,8 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Presets meant by the arguments: files as they are, folders with all `*.npsee.json` below them, in name order.
-Expected<std::vector<fs::path>> presetsIn(const std::vector<std::string>& arguments) {
+bool named(const fs::path& file, std::string_view ending) { return file.string().ends_with(ending); }
+
+/// Files meant by the arguments: files as they are, folders with all presets and missions below them, in name order.
+Expected<std::vector<fs::path>> filesIn(const std::vector<std::string>& arguments) {
   std::vector<fs::path> out;
   for (const std::string& argument : arguments) {
     std::error_code error;
@@ -28,24 +31,29 @@ Expected<std::vector<fs::path>> presetsIn(const std::vector<std::string>& argume
     }
     std::vector<fs::path> found;
     for (auto entry = fs::recursive_directory_iterator(argument, fs::directory_options::skip_permission_denied, error); !error && entry != fs::end(entry); entry.increment(error))
-      if (entry->path().string().ends_with(".npsee.json")) found.push_back(entry->path());
+      if (named(entry->path(), ".npsee.json") || named(entry->path(), ".mission.json")) found.push_back(entry->path());
     if (error) return fail(ErrorKind::input, argument + " cannot be read: " + error.message() + ".");
-    if (found.empty()) return fail(ErrorKind::input, argument + " holds no *.npsee.json file.", "Name a folder with presets, or the files themselves.");
+    if (found.empty()) return fail(ErrorKind::input, argument + " holds no *.npsee.json or *.mission.json file.", "Name a folder with presets or missions, or the files themselves.");
     std::ranges::sort(found);
     out.insert(out.end(), found.begin(), found.end());
   }
   return out;
 }
 
-/// Reads a file as what it is: weapons.dat, a projectile, or else a preset. The error lists its faults.
+/// Reads a file as what it is: weapons.dat, a mission, a projectile, or else a preset. The error lists its faults.
 Expected<void> readWhole(const fs::path& file) {
   const auto lift = [](auto read) -> Expected<void> {
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     return {};
   };
   if (file.extension() == ".dat") return lift(loadWeapons(file));
-  if (!file.string().ends_with(".npsee.json"))
-    if (const auto text = readTextFile(file); text && text->find("\"npsee_projectile\"") != std::string::npos) return lift(parseProjectile(*text, file.string()));
+  if (named(file, ".mission.json")) return lift(loadScenario(file));
+  if (!named(file, ".npsee.json"))
+    if (const auto text = readTextFile(file)) {
+      const auto mentions = [&](std::string_view word) { return text->find(word) != std::string::npos; };
+      if (mentions("\"npsee_projectile\"")) return lift(parseProjectile(*text, file.string()));
+      if (mentions("\"npsee_mission\"") || mentions("\"npsnet-scenario/")) return lift(loadScenario(file));
+    }
   return lift(loadPreset(file));
 }
 
@@ -54,7 +62,7 @@ nlohmann::ordered_json faultJson(const Fault& fault) {
 }
 
 int check(const std::vector<std::string>& arguments, bool as_json) {
-  const auto files = presetsIn(arguments);
+  const auto files = filesIn(arguments);
   if (!files) return report(files.error());
   nlohmann::ordered_json faults = nlohmann::ordered_json::array();
   std::size_t bad = 0;
@@ -87,10 +95,10 @@ void addCheck(CLI::App& app, Outcome& outcome) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Validate presets, projectiles and weapons.dat: every fault with file, line, message and remedy; exit 1 where there is one");
-  command->add_option("PATH", options->paths, "Preset, projectile or weapons.dat files, or folders with presets")->required();
+  CLI::App* command = app.add_subcommand("check", "Validate presets, missions, projectiles and weapons.dat: every fault with file, line, message and remedy; exit 1 where there is one");
+  command->add_option("PATH", options->paths, "Preset, mission, projectile or weapons.dat files, or folders with presets and missions")->required();
   command->add_flag("--json", options->json, "Print the faults as JSON");
-  command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json");
+  command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json\n  npsee check assets/missions");
   command->callback([options, &outcome] { outcome.exit_code = check(options->paths, options->json); });
 }
 

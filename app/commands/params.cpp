@@ -1,5 +1,7 @@
 #include "app/commands/command.h"
 
+#include "sim/world/scenario_table.h"
+
 #include <npsee/parameters.h>
 
 #include <CLI/CLI.hpp>
@@ -12,19 +14,21 @@ namespace npsee::commands {
 void addParams(CLI::App& app, Outcome& outcome) {
   struct Options {
     std::string key;
+    bool missions = false;
     ReferenceFormat format = ReferenceFormat::text;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("params", "The parameter reference: every preset parameter with meaning, unit, range and default");
   command->add_option("KEY", options->key, "Only this parameter, group (region) or section (Launch)");
+  command->add_flag("--missions", options->missions, "The keys of mission files instead; KEY is a key (lay_time) or an object (battery)");
   const std::map<std::string, ReferenceFormat> formats{
       {"text", ReferenceFormat::text}, {"json", ReferenceFormat::json}, {"markdown", ReferenceFormat::markdown}, {"schema", ReferenceFormat::json_schema}};
-  command->add_option("--format", options->format, "text, json, markdown, or schema (JSON Schema of preset files)")
+  command->add_option("--format", options->format, "text, json, markdown, or schema (JSON Schema of preset or mission files)")
       ->transform(CLI::CheckedTransformer(formats).description(""))
       ->type_name("FORMAT");
-  command->footer("Examples:\n  npsee params speed_mean\n  npsee params --format schema > preset.schema.json");
+  command->footer("Examples:\n  npsee params speed_mean\n  npsee params --format schema > preset.schema.json\n  npsee params --missions battery");
   command->callback([options, &outcome] {
-    const auto text = parameterReference(options->format, options->key);
+    const auto text = options->missions ? world::missionReference(options->format, options->key) : parameterReference(options->format, options->key);
     outcome.exit_code = text ? writeResult(*text) : report(text.error());
   });
 }

@@ -48,6 +48,7 @@ UnitRow row(Unit unit) {
     case Unit::per_second: return {"1/s", 1.0, kRates};
     case Unit::per_metre: return {"per m, m2 or m3", 1.0, {}};
     case Unit::revolution_per_second: return {"rev/s", kTwoPi, kSpins};
+    case Unit::degree_per_second: return {"deg/s", kDegree, kSpins};
     case Unit::fraction: return {"", 1.0, kFractions};
     case Unit::particle: return {"particles", 1.0, {}};
   }

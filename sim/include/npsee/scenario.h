@@ -2,6 +2,7 @@
 
 #include <npsee/error.h>
 #include <npsee/terrain.h>
+#include <npsee/units.h>
 #include <npsee/vec3.h>
 #include <npsee/weapons.h>
 
@@ -36,7 +37,7 @@ struct VehicleType {
   TargetClass target_class = TargetClass::heavy_armor;
   double length_m = 7.0, width_m = 3.0, height_m = 2.4;
   double speed_mps = 12.0;  ///< greatest on level ground
-  double turn_radps = 0.35; ///< greatest turn rate
+  double turn_radps = 20.0 * (kPi / 180.0);  ///< greatest turn rate
   int weapon = 0;           ///< id in weapons.dat it shoots back with; 0 = unarmed
   std::string model;        ///< name of an OBJ model in assets/models; empty = by class
   friend bool operator==(const VehicleType&, const VehicleType&) = default;
@@ -96,7 +97,7 @@ struct BatterySetup {
   double lay_time_s = 5.0, reload_time_s = 10.0;
   int rounds = 100;               ///< per gun
   double muzzle_height_m = 2.0;
-  double max_elevation_rad = 1.30899693899575; ///< 75 deg; at least 0.2
+  double max_elevation_rad = 75.0 * (kPi / 180.0);  ///< of the tube
   int volley_rounds = 1;          ///< rounds per gun in fire for effect
   std::string preset;             ///< explosion preset of its bursts: a shipped name or a file; empty = by the weapon
   friend bool operator==(const BatterySetup&, const BatterySetup&) = default;
@@ -195,6 +196,7 @@ struct Expectation {
   int at_least = 1;
   std::optional<int> at_most;
   std::string text;                 ///< the clause as it stands in the file, on one line, for messages
+  std::string file;                 ///< that it stands in, for messages
   int line = 0;
   friend bool operator==(const Expectation& a, const Expectation& b) { return a.text == b.text; }
 };

@@ -25,6 +25,7 @@ enum class Unit {
   per_second,
   per_metre,
   revolution_per_second,  ///< rad/s inside
+  degree_per_second,      ///< rad/s inside
   fraction,
   particle,
 };

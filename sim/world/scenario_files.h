@@ -1,0 +1,36 @@
+#pragma once
+
+#include <npsee/scenario.h>
+#include <npsee/weapons.h>
+
+#include <optional>
+#include <string>
+
+namespace npsee::world {
+
+/// Files that a mission names. A mission file comes from anywhere, so it names only what lies in its own folder or below: absolute
+/// paths and ".." are refused, symbolic links are followed to regular files only. "weapons.dat" and "forwardobserver.clp" without a
+/// folder mean the shipped ones where there is no such file.
+
+/// What is wrong with a path as a mission may name it; empty if nothing. `key` names the field.
+std::string wrongPath(const std::string& key, const std::string& path);
+
+/// Where a file that the mission names lies, or nothing where the shipped one of that name is meant.
+/// Error kind input: there is no such file, or it is not a regular one.
+Expected<std::optional<std::filesystem::path>> findNamed(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// A text that a mission names.
+struct NamedText {
+  std::string text;
+  std::string name;  ///< for messages: the path, or "shipped forwardobserver.clp"
+};
+/// Error kind input.
+Expected<NamedText> readNamed(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// The mission's weapons.dat, or the shipped one. Error kind input.
+Expected<Weapons> missionWeapons(const Scenario& scenario);
+
+/// The terrain with its file's path made ready to open.
+TerrainSource missionTerrain(const Scenario& scenario);
+
+}  // namespace npsee::world

@@ -1,0 +1,75 @@
+// Missions in `npsee check` and `npsee params`.
+
+#include "sim/world/scenario_table.h"
+
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace npsee {
+namespace {
+
+const std::string kSource = NPSEE_SOURCE_DIR;
+
+TEST(CheckCommand, KnowsMissionsByNameAndByContent) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "good.mission.json", R"({"npsee_mission": 1})");
+  test::spill(folder / "bad.mission.json", "{\"npsee_mission\": 1,\n\"sead\": 3}");
+  const auto checked = test::npseeRun({"check", folder.path(), kSource + "/tests/scenario/data/npsnet_scenario.json"});
+  EXPECT_EQ(checked.exit_code, 1) << checked.err;
+  EXPECT_EQ(checked.out, folder / "bad.mission.json:2: /sead: a mission has no such key.\n  Did you mean seed?\n3 files checked, 1 with faults\n");
+}
+
+TEST(CheckCommand, FindsNoFaultInTheShippedMissions) {
+  const auto checked = test::npseeRun({"check", kSource + "/assets/missions"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+}
+
+TEST(ParamsCommand, ShowsTheKeysOfMissions) {
+  const auto one = test::npseeRun({"params", "--missions", "lay_time"});
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(one.out, "battery: Guns that fire together for one fire direction centre.\n  lay_time = 5 s  [0 to 3600 s]\n    Time to lay a gun on new data.\n");
+  const auto all = test::npseeRun({"params", "--missions"});
+  for (const world::Struct* table : world::missionTables())
+    for (const world::Field& field : table->fields) EXPECT_NE(all.out.find("  " + std::string(field.key) + " = "), std::string::npos) << field.key;
+}
+
+TEST(ParamsCommand, NamesTheNearestKeyOfMissions) {
+  const auto wrong = test::npseeRun({"params", "--missions", "laytime"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.err, "there is no key \"laytime\" in mission files. Did you mean lay_time?\n  `npsee params --missions` lists all keys.\n");
+}
+
+TEST(ParamsCommand, GivesTheSchemaOfMissionsWithAllReferencesResolved) {
+  const auto run = test::npseeRun({"params", "--missions", "--format", "schema"});
+  ASSERT_EQ(run.exit_code, 0);
+  const auto schema = nlohmann::json::parse(run.out);
+  EXPECT_EQ(schema.at("properties").at("npsee_mission").at("const"), 1);
+  EXPECT_EQ(schema.at("$defs").at("battery").at("properties").at("lay_time").at("maximum"), 3600);
+  EXPECT_EQ(schema.at("$defs").at("battery").at("required"), nlohmann::json::array({"guns"}));
+  for (std::size_t at = 0; (at = run.out.find("#/$defs/", at)) != std::string::npos; ++at) {
+    const std::string name = run.out.substr(at + 8, run.out.find('"', at) - at - 8);
+    EXPECT_TRUE(schema.at("$defs").contains(name)) << name;
+  }
+}
+
+TEST(ParamsCommand, GivesTheKeysOfMissionsAsJson) {
+  const auto run = test::npseeRun({"params", "--missions", "--format", "json", "trajectory"});
+  ASSERT_EQ(run.exit_code, 0);
+  const auto rows = nlohmann::json::parse(run.out);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].at("choices"), nlohmann::json::array({"auto", "low", "high"}));
+  EXPECT_EQ(rows[0].at("default"), "auto");
+}
+
+// The reference in the manual is what the program prints.
+TEST(MissionManual, HoldsTheReferenceAsThisProgramPrintsIt) {
+  const std::string manual = test::slurp(kSource + "/docs/missions.md");
+  const auto printed = test::npseeRun({"params", "--missions", "--format", "markdown"});
+  ASSERT_EQ(printed.exit_code, 0);
+  EXPECT_NE(manual.find(printed.out), std::string::npos) << "put the output of `npsee params --missions --format markdown` between the markers of docs/missions.md";
+}
+
+}  // namespace
+}  // namespace npsee
