@@ -3,6 +3,7 @@
 #include <npsee/recording.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace npsee::world {
@@ -15,6 +16,9 @@ class Vehicles {
   /// of his own) and remembers them; `records` must outlive this. Random groups are placed on land. Error kind input: a place in the sea
   /// or outside the world.
   static Expected<Vehicles> make(const Scenario& scenario, const Terrain& terrain, std::vector<VehicleRecord>& records);
+  ~Vehicles();
+  Vehicles(Vehicles&&) noexcept;
+  Vehicles& operator=(Vehicles&&) noexcept;
 
   /// Decisions due at this tick; `tick` counts from 0, time = tick * kMissionTick_s. In order of index.
   void step(std::int64_t tick);
@@ -32,7 +36,9 @@ class Vehicles {
   void hand(std::size_t vehicle, std::int64_t tick, bool to_person);         ///< a person takes over or hands back
 
  private:
-  // the implementer's
+  struct State;
+  explicit Vehicles(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
 };
 
 /// Graded damage of one burst to one target: the state after it, given the state before (hull accumulates, 1 = destroyed; mobility

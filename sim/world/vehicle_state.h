@@ -1,0 +1,92 @@
+#pragma once
+
+#include "sim/world/manoeuvre.h"
+#include "sim/world/route.h"
+#include "sim/world/vehicles.h"
+
+#include <limits>
+
+namespace npsee::world {
+
+inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+
+/// One driver: what he was told, and what he is about.
+struct Driver {
+  Medium medium = Medium::tracks;
+  Behaviour behaviour = Behaviour::stationary;
+  Reaction reaction = Reaction::none;
+  double wished_mps = 0.0, greatest_mps = 0.0, turn_radps = 0.3;
+
+  Leg leg;                          ///< under way
+  std::int64_t due = 0;             ///< tick of the next decision
+  std::array<Move, 4> moves;        ///< planned after this leg
+  int next_move = 0, planned = 0;
+  std::uint32_t draws = 0;
+  bool immobile = false;
+
+  bool person = false;              ///< driven by commands
+  double asked_mps = 0.0, asked_turn_radps = 0.0;
+
+  bool retiring = false;
+  std::int64_t fled = -1;           ///< tick at which it last turned away from fire
+
+  std::vector<Place> goals;
+  bool repeat = false;
+  std::size_t goal = 0;
+  std::vector<Place> route;         ///< corners to the goal
+  std::size_t corner = 0;
+  int barred = 0;                   ///< plans in a row that came to nothing
+
+  int leader = -1;
+  double gap_m = 50.0;
+  double trail_s = 0.0;             ///< when the leader was where this one steers for
+};
+
+struct Vehicles::State {
+  std::int64_t seed = 0;
+  Passable passable;
+  Router router;
+  std::vector<VehicleRecord>* records = nullptr;
+  std::vector<Driver> drivers;
+  std::vector<double> x, z, speed, heading;
+
+  State(const Terrain& terrain, std::int64_t seed_of_mission) : seed(seed_of_mission), passable(terrain), router(passable) {}
+
+  // vehicles_make.cpp
+  Expected<void> fill(const Scenario& scenario);
+  void addVehicle(const std::string& id, const VehicleType& type, const VehicleSetup& setup);
+  Expected<void> addGroup(const Scenario& scenario, std::size_t group, const VehicleType& type);
+
+  // vehicles.cpp
+  Pose poseAt(std::size_t v, std::int64_t tick) const;
+  std::array<double, 4> draw(std::size_t v);
+  /// From now on along this move, the next decision when it ends.
+  void start(std::size_t v, std::int64_t tick, const Move& move);
+  void follow(std::size_t v, std::int64_t tick, const Manoeuvre& plan);
+  /// Stands from now on (or brakes to it) and decides again after a time, or never.
+  void stand(std::size_t v, std::int64_t tick, double again_s = -1.0);
+  void decide(std::size_t v, std::int64_t tick);
+
+  // behaviours.cpp
+  void keepStraight(std::size_t v, std::int64_t tick);
+  void meander(std::size_t v, std::int64_t tick);
+  void driveToGoals(std::size_t v, std::int64_t tick);
+  bool approach(std::size_t v, std::int64_t tick, const Place& place, bool stop);
+  /// The wish, or the free heading nearest to it.
+  void head(std::size_t v, std::int64_t tick, const Wish& wish, double enough_m, bool left_first);
+  void breakOut(std::size_t v, std::int64_t tick, double heading_rad);
+  double speedOn(std::size_t v, const Pose& pose, double heading_rad, double length_m) const;
+
+  // reactions.cpp
+  struct Trail {
+    Pose point, leader;       ///< to steer for; where the leader is
+    double distance_m = 0.0;  ///< along the trail to him
+  };
+  Trail trailAhead(std::size_t v, std::int64_t tick);
+  void followLeader(std::size_t v, std::int64_t tick);
+  void succeedLeader(std::size_t v, std::int64_t tick);
+  void obeyPerson(std::size_t v, std::int64_t tick);
+  void retire(std::size_t v, std::int64_t tick, const Place& from);
+};
+
+}  // namespace npsee::world
