@@ -22,6 +22,7 @@ struct Outcome {
 /// Each command has a file of its own with one function that adds its options and what runs when it is chosen.
 void addParams(CLI::App& app, Outcome& outcome);
 void addCheck(CLI::App& app, Outcome& outcome);
+void addCompare(CLI::App& app, Outcome& outcome);
 void addParticles(CLI::App& app, Outcome& outcome);
 void addRender(CLI::App& app, Outcome& outcome);
 void addEdit(CLI::App& app, Outcome& outcome);

@@ -7,6 +7,7 @@ namespace npsee::commands {
 void addAll(CLI::App& app, Outcome& outcome) {
   addEdit(app, outcome);
   addRender(app, outcome);
+  addCompare(app, outcome);
   addParticles(app, outcome);
   addCheck(app, outcome);
   addParams(app, outcome);

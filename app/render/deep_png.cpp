@@ -1,0 +1,140 @@
+#include "app/render/deep_image.h"
+#include "app/render/png_glue.h"
+
+#include "sim/core/files.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+namespace npsee::render {
+namespace {
+
+using namespace png_glue;
+
+/// Longest side that is read, pixels.
+constexpr png_uint_32 kMaxSide = 65'536;
+/// Largest file that is read, bytes: more than any picture we write can take.
+constexpr std::size_t kMaxFile = 400u << 20;
+/// Deflate packs at most 1032 bytes into one; a file much smaller than its header claims cannot hold its pixels.
+constexpr std::size_t kMostPacking = 1032;
+/// The low bytes of 16-bit colours hardly pack; trying harder takes three times as long for a tenth less.
+constexpr int kDeflateLevel = 3;
+
+/// What the header says, in the words of its fault, or null where it can be believed.
+const char* headerFault(png_structp png, png_infop info, std::size_t file_bytes) {
+  const std::size_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+  if (width * height > kMaxDeepPixels) return "it has more than 36 million pixels";
+  const std::size_t bits = width * height * png_get_channels(png, info) * png_get_bit_depth(png, info);
+  if (bits / 8 > (file_bytes + 64) * kMostPacking) return "its header claims more pixels than it can hold";
+  return nullptr;
+}
+
+/// The part between setjmp and longjmp: only plain data lives here.
+bool decodeRows(png_structp png, png_infop info, std::size_t file_bytes, DeepImage& image, std::vector<png_bytep>& rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_user_limits(png, kMaxSide, kMaxSide);
+  // Bounds for what a file may hold beside its pixels (texts, profiles): each part, and how many.
+  png_set_chunk_malloc_max(png, 4'000'000);
+  png_set_chunk_cache_max(png, 64);
+  png_read_info(png, info);
+  if (const char* fault = headerFault(png, info, file_bytes)) png_error(png, fault);
+  const png_uint_32 width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+  image.bits = png_get_bit_depth(png, info) == 16 ? 16 : 8;
+  image.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  png_set_expand_16(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
+  if (std::endian::native == std::endian::little) png_set_swap(png);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  if (png_get_rowbytes(png, info) != static_cast<std::size_t>(width) * 8) png_error(png, "its pixels are of an unknown kind");
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  image.rgba.resize(static_cast<std::size_t>(width) * height * 4);
+  for (png_uint_32 y = 0; y < height; ++y) rows.push_back(reinterpret_cast<png_bytep>(image.pixel(0, static_cast<int>(y))));
+  png_read_image(png, rows.data());
+  png_read_end(png, nullptr);
+  return true;
+}
+
+bool encodeRows(png_structp png, png_infop info, const DeepImage& image, std::vector<std::uint16_t>& row) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 16, image.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_set_compression_level(png, kDeflateLevel);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_set_compression_buffer_size(png, 1u << 16);
+  png_write_info(png, info);
+  if (std::endian::native == std::endian::little) png_set_swap(png);
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint16_t* from = image.pixel(0, y);
+    if (!image.alpha) {
+      std::uint16_t* to = row.data();
+      for (int x = 0; x < image.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+      from = row.data();
+    }
+    png_write_row(png, reinterpret_cast<png_const_bytep>(from));
+  }
+  png_write_end(png, nullptr);
+  return true;
+}
+
+}  // namespace
+
+DeepImage deepened(const Image& image) {
+  DeepImage out{image.width, image.height, 8, false, {}};
+  out.rgba.reserve(image.rgba.size());
+  for (const std::uint8_t value : image.rgba) out.rgba.push_back(static_cast<std::uint16_t>(257 * value));
+  for (std::size_t i = 3; i < image.rgba.size() && !out.alpha; i += 4) out.alpha = image.rgba[i] != 255;
+  return out;
+}
+
+Expected<DeepImage> parseDeepPng(std::string_view text, const std::string& name) {
+  const auto refuse = [&](const std::string& why) {
+    return fail(ErrorKind::input, {.what = "is no picture that can be read: " + why + ".", .remedy = "Name a PNG file.", .file = name, .line = 0, .pointer = {}});
+  };
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  if (text.size() < 8 || png_sig_cmp(bytes, 0, 8) != 0) return refuse("it is not a PNG file");
+  Complaint complaint;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  DeepImage image;
+  std::vector<png_bytep> rows;
+  Input input{bytes, text.size()};
+  bool done = false;
+  if (info != nullptr) {
+    png_set_read_fn(png, &input, take);
+    done = decodeRows(png, info, text.size(), image, rows);
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!done) return refuse(complaint.text);
+  return image;
+}
+
+Expected<DeepImage> readDeepPng(const std::filesystem::path& path) {
+  const auto text = readTextFile(path, kMaxFile);
+  if (!text) return tl::unexpected<Error>(text.error());
+  return parseDeepPng(*text, path.string());
+}
+
+Expected<std::vector<std::uint8_t>> encodeDeepPng(const DeepImage& image) {
+  const std::size_t values = static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0)) * 4;
+  if (values == 0 || image.rgba.size() != values) return fail(ErrorKind::output, "an empty picture cannot be written as PNG.");
+  Complaint complaint;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  std::vector<std::uint8_t> out;
+  std::vector<std::uint16_t> row(static_cast<std::size_t>(image.width) * 3);
+  bool done = false;
+  if (info != nullptr) {
+    png_set_write_fn(png, &out, append, flushNothing);
+    done = encodeRows(png, info, image, row);
+  }
+  png_destroy_write_struct(&png, &info);
+  if (!done) return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + complaint.text + ".");
+  return out;
+}
+
+}  // namespace npsee::render
