@@ -94,6 +94,7 @@ class Gun {
   GunSetup setup_;
   Vec3 muzzle_m_;
   double lay_time_s_ = 0.0, reload_time_s_ = 0.0, laid_until_s_ = 0.0, loaded_at_s_ = 0.0;
+  double azimuth_rad_ = 0.0, elevation_rad_ = 0.0;  ///< of the last order
   int rounds_ = 0;
 };
 

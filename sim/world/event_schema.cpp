@@ -1,0 +1,148 @@
+// What events there are and what they carry, in the order in which it is written. This table is the schema of the log: the
+// documentation is printed from it, and tests hold every mission's events against it.
+
+#include <npsee/recording.h>
+
+namespace npsee {
+namespace {
+
+constexpr std::string_view kNames[] = {"contact", "lost", "call", "solution", "refuse", "fire", "apex", "detonation", "spot", "correction", "damage", "destroyed", "danger_close", "warning", "end_of_mission", "error", "end"};
+static_assert(sizeof kNames / sizeof kNames[0] == kEventKinds);
+
+// Types: id (text, of a vehicle, gun, observer or battery), number, whole, text, bool, place ([x, y, z]), texts (list).
+// A key whose explanation ends with "if any" is left out where there is nothing to say.
+constexpr EventKey kKeys[] = {
+    {"contact", "observer", "id", "", "who sees it"},
+    {"contact", "target", "id", "", "the vehicle seen"},
+    {"contact", "type", "text", "", "name of the vehicle's type"},
+    {"contact", "position", "place", "m", "where he believes it to be"},
+    {"contact", "range_m", "number", "m", "from him to there"},
+    {"contact", "azimuth_mil", "number", "mil", "from him to there, clockwise from north"},
+    {"contact", "belief", "number", "", "that it is hostile, 0 to 1"},
+    {"contact", "conflict", "number", "", "of the evidence, 0 to 1"},
+
+    {"lost", "observer", "id", "", "who saw it"},
+    {"lost", "target", "id", "", "the vehicle"},
+    {"lost", "reason", "text", "", "why it is no longer seen"},
+
+    {"call", "observer", "id", "", "who calls for fire"},
+    {"call", "mission", "whole", "", "number of the fire mission, from 1"},
+    {"call", "target", "id", "", "the vehicle it is for, if any"},
+    {"call", "method", "text", "", "adjust_fire, fire_for_effect, suppress, immediate_suppression, smoke or illuminate"},
+    {"call", "position", "place", "m", "of the target as called"},
+    {"call", "rule", "text", "", "that decided it"},
+    {"call", "facts", "texts", "", "the rule fired on"},
+    {"call", "danger_close", "bool", "", "friendly vehicles are near the target"},
+
+    {"solution", "mission", "whole", "", "number of the fire mission"},
+    {"solution", "battery", "id", "", "that fires"},
+    {"solution", "gun", "id", "", "it is for"},
+    {"solution", "target", "id", "", "the vehicle aimed at, if any"},
+    {"solution", "trajectory", "text", "", "low or high"},
+    {"solution", "charge", "text", "", "name of the charge"},
+    {"solution", "qe_mil", "number", "mil", "quadrant elevation"},
+    {"solution", "azimuth_mil", "number", "mil", "of the tube, clockwise from north"},
+    {"solution", "tof_s", "number", "s", "time of flight"},
+    {"solution", "apex_m", "number", "m", "greatest height over the muzzle"},
+    {"solution", "range_m", "number", "m", "from the gun to the aim point"},
+    {"solution", "aim", "place", "m", "aim point, with the lead"},
+    {"solution", "angle_t_mil", "number", "mil", "between the observer-target and gun-target lines, if any"},
+    {"solution", "masked", "bool", "", "true: forced, comes down before the target; left out otherwise"},
+    {"solution", "doubt", "texts", "", "what lies beyond the trajectory model's validity, if any"},
+    {"solution", "rejected", "texts", "", "what was tried before and why it did not do, if any"},
+
+    {"refuse", "mission", "whole", "", "number of the fire mission"},
+    {"refuse", "battery", "id", "", "that refuses"},
+    {"refuse", "gun", "id", "", "that refuses, if a single one"},
+    {"refuse", "target", "id", "", "the vehicle, if any"},
+    {"refuse", "trajectory", "text", "", "low or high, if one of the two"},
+    {"refuse", "qe_mil", "number", "mil", "quadrant elevation that would be needed, if any"},
+    {"refuse", "reason", "text", "", "out_of_range, too_close, masked, elevation, in_sea or no_convergence; no_ammunition or busy for guns"},
+    {"refuse", "text", "text", "", "the reason as a sentence, and what to do"},
+
+    {"fire", "shell", "whole", "", "number of the shell, from 1"},
+    {"fire", "gun", "id", "", "or vehicle that fires"},
+    {"fire", "mission", "whole", "", "number of the fire mission, 0 for direct fire"},
+    {"fire", "target", "id", "", "the vehicle aimed at, if any"},
+    {"fire", "trajectory", "text", "", "low, high or direct"},
+    {"fire", "weapon", "whole", "", "number in weapons.dat"},
+    {"fire", "position", "place", "m", "of the muzzle"},
+    {"fire", "qe_mil", "number", "mil", "quadrant elevation"},
+    {"fire", "azimuth_mil", "number", "mil", "of the tube, clockwise from north"},
+
+    {"apex", "shell", "whole", "", "number of the shell"},
+    {"apex", "position", "place", "m", "highest point of its path"},
+
+    {"detonation", "shell", "whole", "", "number of the shell"},
+    {"detonation", "gun", "id", "", "or vehicle that fired it"},
+    {"detonation", "mission", "whole", "", "number of the fire mission, 0 for direct fire"},
+    {"detonation", "target", "id", "", "the vehicle aimed at, if any"},
+    {"detonation", "position", "place", "m", "of the burst"},
+    {"detonation", "miss_m", "number", "m", "horizontal distance to where the target is then, if any"},
+    {"detonation", "weapon", "whole", "", "number in weapons.dat"},
+
+    {"spot", "observer", "id", "", "who spots the burst"},
+    {"spot", "mission", "whole", "", "number of the fire mission"},
+    {"spot", "round", "whole", "", "adjusting round, from 1"},
+    {"spot", "shell", "whole", "", "number of the shell"},
+    {"spot", "lateral_mil", "number", "mil", "burst right of the target positive"},
+    {"spot", "range_m", "number", "m", "burst beyond the target positive"},
+    {"spot", "observed", "bool", "", "false: he did not see it"},
+
+    {"correction", "observer", "id", "", "who corrects"},
+    {"correction", "mission", "whole", "", "number of the fire mission"},
+    {"correction", "right_m", "number", "m", "right of the observer-target line, left negative"},
+    {"correction", "add_m", "number", "m", "along it, drop negative"},
+    {"correction", "method", "text", "", "adjust_fire, or fire_for_effect where effect follows"},
+    {"correction", "rule", "text", "", "that decided it"},
+    {"correction", "facts", "texts", "", "the rule fired on"},
+    {"correction", "misheard", "text", "", "what became of it on the way to the guns, if any"},
+
+    {"damage", "target", "id", "", "the vehicle"},
+    {"damage", "shell", "whole", "", "that did it"},
+    {"damage", "hull", "number", "", "damage so far; 1 is destroyed"},
+    {"damage", "mobility", "bool", "", "it can still move"},
+    {"damage", "firepower", "bool", "", "it can still shoot"},
+    {"damage", "miss_m", "number", "m", "distance of the burst"},
+
+    {"destroyed", "target", "id", "", "the vehicle"},
+    {"destroyed", "shell", "whole", "", "that did it"},
+    {"destroyed", "mission", "whole", "", "number of the fire mission, 0 for direct fire"},
+    {"destroyed", "position", "place", "m", "of the vehicle"},
+    {"destroyed", "miss_m", "number", "m", "distance of the burst"},
+
+    {"danger_close", "observer", "id", "", "who calls the mission"},
+    {"danger_close", "mission", "whole", "", "number of the fire mission"},
+    {"danger_close", "target", "id", "", "the vehicle it is for, if any"},
+    {"danger_close", "friendly", "id", "", "the friendly vehicle nearest to it"},
+    {"danger_close", "distance_m", "number", "m", "of the two"},
+
+    {"warning", "text", "text", "", "what is allowed but doubtful"},
+    {"warning", "observer", "id", "", "it is about, if any"},
+    {"warning", "mission", "whole", "", "it is about, if any"},
+
+    {"end_of_mission", "observer", "id", "", "who ends it"},
+    {"end_of_mission", "mission", "whole", "", "number of the fire mission"},
+    {"end_of_mission", "target", "id", "", "the vehicle it was for, if any"},
+    {"end_of_mission", "result", "text", "", "destroyed, neutralised, suppressed, no_effect, refused, ..."},
+    {"end_of_mission", "reason", "text", "", "why it ends"},
+    {"end_of_mission", "rounds", "whole", "", "fired in it"},
+    {"end_of_mission", "grade", "text", "", "of the adjustment: good within 50 m in at most three rounds, if any"},
+    {"end_of_mission", "rule", "text", "", "that decided it"},
+    {"end_of_mission", "facts", "texts", "", "the rule fired on"},
+
+    {"error", "text", "text", "", "why the mission was given up"},
+    {"error", "observer", "id", "", "whose rules failed, if any"},
+
+    {"end", "hash", "text", "", "of all lines before"},
+    {"end", "events", "whole", "", "number of lines before"},
+    {"end", "shells", "whole", "", "fired in all"},
+    {"end", "destroyed", "whole", "", "vehicles in all"},
+};
+
+}  // namespace
+
+std::span<const std::string_view> eventKindNames() { return kNames; }
+std::span<const EventKey> eventSchema() { return kKeys; }
+
+}  // namespace npsee
