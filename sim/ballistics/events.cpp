@@ -107,7 +107,8 @@ class Finder {
   /// Below a flat surface and falling: it will never be met.
   bool lost() const { return step_.y1[4] <= 0.0 && clearance(1.0) < 0.0; }
 
-  /// Samples no further apart than half the terrain's detail, so that no ridge is jumped over.
+  /// Samples no further apart than half the terrain's detail; between two of them, where the shell is near the ground, the least
+  /// clearance is looked for, so that not even a ridge's tip is jumped over.
   bool terrain() {
     const double detail = std::max(s_.ground->detail(), 0.01);
     const double dx = step_.y1[0] - step_.y0[0], dz = step_.y1[2] - step_.y0[2];
@@ -120,6 +121,7 @@ class Finder {
         if (clear_before <= 0.0) return impactAt(before);
         return impactAt(root([&](double x) { return clearance(x); }, before, clear_before, theta, clear));
       }
+      if (progress_.armed && tip(before, clear_before, theta, clear, detail)) return true;
       // The muzzle may stand on or in the surface's cell: what happens within it is no impact.
       const double x = component(c_, 0, theta), z = component(c_, 2, theta);
       if (clear > 0.0 && clear < 1e7) progress_.armed = progress_.armed || clear > 1.0 || x * x + z * z > detail * detail;
@@ -129,6 +131,24 @@ class Finder {
     }
     // Below any terrain there is.
     return step_.y1[4] <= 0.0 && !(step_.y1[1] > -50000.0);
+  }
+
+  /// Impact on a tip of the ground that stands between two clear samples: the clearance falls after the first and rises before
+  /// the second.
+  bool tip(double a, double clear_a, double b, double clear_b, double detail) {
+    // Half a cell away, only ground steeper than 4 in 1 could reach so high.
+    if (!(clear_a > 0.0) || std::fmin(clear_a, clear_b) > 2.0 * detail) return false;
+    const double little = 1e-3 * (b - a);
+    if (clearance(a + little) >= clear_a || clearance(b - little) >= clear_b) return false;
+    double low = a, high = b;
+    for (int i = 0; i < 40; ++i) {
+      const double third = (high - low) / 3.0;
+      if (clearance(low + third) < clearance(high - third)) high -= third;
+      else low += third;
+    }
+    const double least = 0.5 * (low + high), clear = clearance(least);
+    if (clear > 0.0) return false;
+    return impactAt(root([&](double x) { return clearance(x); }, a, clear_a, least, clear));
   }
 
   const Setup& s_;
