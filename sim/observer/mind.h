@@ -23,6 +23,7 @@ struct Contact {
   double range_m = 0.0;        ///< from him
   double azimuth_mil = 0.0;    ///< from him
   double speed_mps = 0.0;
+  double location_error_m = 0.0;  ///< circular error probable of x and z, as he judges it; 0 = certain
   double hostile = 1.0, friendly = 0.0;  ///< beliefs
   enum class Condition { whole, damaged, suppressed, destroyed } condition = Condition::whole;
   bool seen = true;            ///< in sight now
@@ -63,6 +64,7 @@ struct SelfFacts {
   int type = 0;
   double max_range_m = 4000.0;
   bool moving = false;
+  bool night = false;
   FireMethod method = FireMethod::automatic;
   bool self_preservation = true;
 };
@@ -91,6 +93,8 @@ struct MindSetup {
   bool shipped_rules = true;
   std::vector<MissionOrder> orders;
   double danger_close_m = 600.0;
+  double hostile_belief = 0.6;     ///< from which a contact counts as hostile, or as friendly
+  int max_missions = 1;            ///< open at a time; more only with more batteries
 };
 
 /// One CLIPS environment. Not thread-safe; different minds are independent.
