@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 
 #include "sim/core/files.h"
+#include "sim/observer/mind.h"
 
 #include <npsee/projectile.h>
 #include <npsee/scenario.h>
@@ -40,12 +41,21 @@ Expected<std::vector<fs::path>> filesIn(const std::vector<std::string>& argument
   return out;
 }
 
-/// Reads a file as what it is: weapons.dat, a mission, a projectile, or else a preset. The error lists its faults.
+Expected<void> readRules(const fs::path& file) {
+  const auto text = readTextFile(file);
+  if (!text) return tl::unexpected<Error>(text.error());
+  auto faults = observer::checkRules(*text, file.string());
+  if (faults.empty()) return {};
+  return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
+}
+
+/// Reads a file as what it is: weapons.dat, rules, a mission, a projectile, or else a preset. The error lists its faults.
 Expected<void> readWhole(const fs::path& file) {
   const auto lift = [](auto read) -> Expected<void> {
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     return {};
   };
+  if (file.extension() == ".clp") return readRules(file);
   if (file.extension() == ".dat") return lift(loadWeapons(file));
   if (named(file, ".mission.json")) return lift(loadScenario(file));
   if (!named(file, ".npsee.json"))
@@ -95,10 +105,10 @@ void addCheck(CLI::App& app, Outcome& outcome) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Validate presets, missions, projectiles and weapons.dat: every fault with file, line, message and remedy; exit 1 where there is one");
-  command->add_option("PATH", options->paths, "Preset, mission, projectile or weapons.dat files, or folders with presets and missions")->required();
+  CLI::App* command = app.add_subcommand("check", "Validate presets, missions, projectiles, weapons.dat and rules: every fault with file, line, message and remedy; exit 1 where there is one");
+  command->add_option("PATH", options->paths, "Preset, mission, projectile, weapons.dat or rules (*.clp) files, or folders with presets and missions")->required();
   command->add_flag("--json", options->json, "Print the faults as JSON");
-  command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json\n  npsee check assets/missions");
+  command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json\n  npsee check assets/missions\n  npsee check my_observer.clp");
   command->callback([options, &outcome] { outcome.exit_code = check(options->paths, options->json); });
 }
 
