@@ -11,6 +11,9 @@ constexpr double kGrazing_m = 1e-6;
 /// Farther is outside every world; keeps products finite.
 constexpr double kFar_m = 1e9;
 
+/// Whether the line comes lowest within the cell and not at its ends.
+bool hasVertex(const world::CellClearance& cell) { return (cell.c2 > 0.0) & (cell.c1 < 0.0) & (cell.c1 + 2.0 * cell.c2 * cell.span > 0.0); }
+
 bool usable(const Vec3& p) { return std::fabs(p.x) <= kFar_m && std::fabs(p.y) <= kFar_m && std::fabs(p.z) <= kFar_m; }
 
 /// Smallest root in [0, span] of c0 + c1 s + c2 s^2 with c0 >= 0, or a negative number.
@@ -33,28 +36,42 @@ Sight Terrain::sight(const Vec3& eye, const Vec3& target) const {
   const bool turned = std::tie(target.x, target.z, target.y) < std::tie(eye.x, eye.z, eye.y);
   const Vec3& from = turned ? target : eye;
   const Vec3& to = turned ? eye : target;
-  double least = INFINITY, where = 0.0;
+  double least = from.y - height(from.x, from.z), where = 0.0;
   const auto consider = [&](double clearance, double t) {
     if (clearance < least) {
       least = clearance;
       where = t;
     }
   };
-  double end = 0.0;
-  world::walkLine(*grid_, from, to, [&](const world::CellClearance& cell) {
+  consider(to.y - height(to.x, to.z), 1.0);
+  world::walkLine(*grid_, from, to, [&] { return least; }, [&](const world::CellClearance& cell) {
     consider(cell.c0, cell.start);
-    // The lowest point of the quadratic, where it lies within the cell.
-    if (cell.c2 > 0.0 && cell.c1 < 0.0 && cell.c1 + 2.0 * cell.c2 * cell.span > 0.0) {
+    consider(cell.c0 + cell.span * (cell.c1 + cell.span * cell.c2), cell.start + cell.span);
+    if (hasVertex(cell)) {
       const double s = -0.5 * cell.c1 / cell.c2;
       consider(cell.c0 + 0.5 * s * cell.c1, cell.start + s);
     }
-    const double rest = 1.0 - cell.start;
-    end = cell.c0 + rest * (cell.c1 + rest * cell.c2);
     return true;
   });
-  consider(end, 1.0);
   const double dx = to.x - from.x, dz = to.z - from.z;
   return {least >= -kGrazing_m, least, (turned ? 1.0 - where : where) * std::sqrt(dx * dx + dz * dz)};
+}
+
+bool Terrain::sees(const Vec3& eye, const Vec3& target) const {
+  if (!usable(eye) || !usable(target)) return false;
+  const bool turned = std::tie(target.x, target.z, target.y) < std::tie(eye.x, eye.z, eye.y);
+  const Vec3& from = turned ? target : eye;
+  const Vec3& to = turned ? eye : target;
+  bool clear = from.y - height(from.x, from.z) >= -kGrazing_m && to.y - height(to.x, to.z) >= -kGrazing_m;
+  if (!clear) return false;
+  world::walkLine(*grid_, from, to, [] { return -kGrazing_m; }, [&](const world::CellClearance& cell) {
+    const double end = cell.c0 + cell.span * (cell.c1 + cell.span * cell.c2);
+    clear = (cell.c0 >= -kGrazing_m) & (end >= -kGrazing_m);
+    // c1^2 / 4 c2 under the start, at the vertex.
+    if (clear && hasVertex(cell)) clear = cell.c0 - 0.25 * cell.c1 * cell.c1 / cell.c2 >= -kGrazing_m;
+    return clear;
+  });
+  return clear;
 }
 
 bool Terrain::sightSampled(const Vec3& eye, const Vec3& target, int samples) const {
@@ -72,7 +89,7 @@ std::optional<Vec3> Terrain::raycast(const Vec3& from, const Vec3& direction, do
   if (!usable(from) || !usable(direction) || !(size > 0.0) || !(max_m > 0.0)) return std::nullopt;
   const Vec3 to = from + (std::min(max_m, kFar_m) / size) * direction;
   double hit = -1.0;
-  world::walkLine(*grid_, from, to, [&](const world::CellClearance& cell) {
+  world::walkLine(*grid_, from, to, [] { return kGrazing_m; }, [&](const world::CellClearance& cell) {
     const bool touching = cell.c0 <= 0.0;
     // A start on the ground is no hit while the ray leaves it.
     if (touching && (cell.c0 < -kGrazing_m || cell.c1 < 0.0)) {

@@ -84,6 +84,22 @@ Expected<Terrain::Grid> emptyGridOfCells(double size_x, double size_z, double ce
 
 }  // namespace world
 
+void Terrain::Grid::finish() {
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  lowest = *low;
+  highest = *high;
+  block_columns = (columns - 2) / kBlock + 1;
+  block_rows = (rows - 2) / kBlock + 1;
+  block_highest.clear();
+  for (int block_row = 0; block_row < block_rows; ++block_row)
+    for (int block_column = 0; block_column < block_columns; ++block_column) {
+      const int west = block_column * kBlock, east = std::min(west + kBlock, columns - 1), north = block_row * kBlock, south = std::min(north + kBlock, rows - 1);
+      float most = row(north)[west];
+      for (int r = north; r <= south; ++r) most = std::max(most, *std::max_element(row(r) + west, row(r) + east + 1));
+      block_highest.push_back(most);
+    }
+}
+
 Expected<Terrain> Terrain::make(const TerrainSource& source, double size_x_m, double size_z_m, double sea_level_m, int threads) {
   const bool from_file = source.kind == TerrainKind::hgt || source.kind == TerrainKind::png;
   for (const double size : {size_x_m, size_z_m})
@@ -99,15 +115,14 @@ Expected<Terrain> Terrain::make(const TerrainSource& source, double size_x_m, do
   auto grid = made(source, size_x_m, size_z_m, sea_level_m, threads > 0 ? threads : cores);
   if (!grid) return tl::unexpected<Error>(std::move(grid.error()));
   grid->sea_level = sea_level_m;
-  const auto [low, high] = std::minmax_element(grid->heights.begin(), grid->heights.end());
-  grid->lowest = *low;
-  grid->highest = *high;
+  grid->finish();
   return Terrain(std::make_shared<const Grid>(std::move(*grid)));
 }
 
 Terrain::Terrain() {
   static const std::shared_ptr<const Grid> level = [] {
-    Grid grid{1000.0, 1000.0, 0.0, 2, 2, 1000.0, 1000.0, std::vector<float>(4), 0.0, 0.0};
+    Grid grid = *world::emptyGrid(1000.0, 1000.0, 2, 2);
+    grid.finish();
     return std::make_shared<const Grid>(std::move(grid));
   }();
   grid_ = level;

@@ -14,6 +14,14 @@ struct Terrain::Grid {
   std::vector<float> heights;
   double lowest = 0.0, highest = 0.0;
 
+  /// Highest sample of each block of kBlock x kBlock cells, their borders included: rays high over a block need not look into it.
+  static constexpr int kBlock = 8;
+  int block_columns = 0, block_rows = 0;
+  std::vector<float> block_highest;
+  double highestInBlock(int column, int row) const { return block_highest[static_cast<std::size_t>(row) * static_cast<std::size_t>(block_columns) + static_cast<std::size_t>(column)]; }
+  /// Fills in what follows from the heights.
+  void finish();
+
   const float* row(int r) const { return heights.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns); }
   float* row(int r) { return heights.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns); }
 };

@@ -1,3 +1,5 @@
+#include "sim/world/vehicles.h"
+
 #include <npsee/terrain.h>
 
 #include <benchmark/benchmark.h>
@@ -47,6 +49,18 @@ void ExactSight(benchmark::State& state) {
 }
 BENCHMARK(ExactSight)->Arg(125)->Arg(30)->Arg(10);
 
+/// Whether there is a line of sight, and no more.
+void Sees(benchmark::State& state) {
+  const Terrain ground = *Terrain::make(hills(30.0), 20000.0, 20000.0, 0.0);
+  const auto pairs = rays(ground, 20000.0);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [eye, target] = pairs[i++ & 4095];
+    benchmark::DoNotOptimize(ground.sees(eye, target));
+  }
+}
+BENCHMARK(Sees);
+
 /// The thesis's test with its 100 samples.
 void SampledSight(benchmark::State& state) {
   const Terrain ground = *Terrain::make(hills(30.0), 20000.0, 20000.0, 0.0);
@@ -81,6 +95,27 @@ void MakeHills(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Terrain::make(hills(static_cast<double>(state.range(0))), 50000.0, 50000.0, 0.0));
 }
 BENCHMARK(MakeHills)->Arg(0)->Arg(30)->Arg(60)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// One tick of 1,000 meandering vehicles on hills with a sea.
+void VehiclesTick(benchmark::State& state) {
+  const Terrain ground = *Terrain::make(hills(0.0), 30000.0, 30000.0, 0.0);
+  Scenario scenario;
+  scenario.world.size_x_m = scenario.world.size_z_m = 30000.0;
+  VehicleGroup group;
+  group.id = "g";
+  group.type = 51;
+  group.count = 1000;
+  group.to = {30000.0, 30000.0};
+  scenario.groups = {group};
+  std::vector<VehicleRecord> records;
+  world::Vehicles vehicles = std::move(*world::Vehicles::make(scenario, ground, records));
+  std::int64_t tick = 0;
+  for (auto _ : state) vehicles.step(tick++);
+  std::size_t legs = 0;
+  for (const VehicleRecord& record : records) legs += record.track.legs.size();
+  state.counters["legs_per_minute"] = static_cast<double>(legs) / 1000.0 / (static_cast<double>(tick) * kMissionTick_s / 60.0);
+}
+BENCHMARK(VehiclesTick)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -41,6 +41,7 @@ TEST(Sight, AgreesWithSamplingEveryQuarterMetreOnRandomTerrain) {
       if (std::fabs(sampled) > 0.01) {
         EXPECT_EQ(sight.clear, sampled > 0.0) << "ray " << i << " of map " << map << ", clearance " << sight.clearance_m << " against " << sampled;
       }
+      EXPECT_EQ(ground.sees(a, b), sight.clear);
       clear += sight.clear ? 1 : 0;
     }
   }
@@ -71,6 +72,8 @@ TEST(Sight, IsTheSameFromBothEndsToTheBit) {
     const Sight there = ground.sight(a, b), back = ground.sight(b, a);
     EXPECT_EQ(there.clear, back.clear);
     EXPECT_EQ(there.clearance_m, back.clearance_m);
+    EXPECT_EQ(ground.sees(a, b), there.clear);
+    EXPECT_EQ(ground.sees(b, a), there.clear);
     const double dx = b.x - a.x, dz = b.z - a.z;
     EXPECT_NEAR(there.worst_m + back.worst_m, std::sqrt(dx * dx + dz * dz), 1e-6);
   }
@@ -159,6 +162,7 @@ TEST(Sight, WhatIsNoNumberIsNeverSeen) {
   EXPECT_FALSE(ground.raycast({0.0, 9000.0, 0.0}, {0.0, 0.0, 0.0}, 1e4).has_value());
   EXPECT_FALSE(ground.raycast({0.0, 9000.0, 0.0}, {0.0, -1.0, 0.0}, NAN).has_value());
   EXPECT_TRUE(std::isfinite(ground.height(NAN, -INFINITY)));
+  EXPECT_FALSE(ground.sees({NAN, 9000.0, 0.0}, {1.0, 9000.0, 1.0}));
 }
 
 TEST(Raycast, FirstHitIsOnTheGroundAndNothingBeforeItIs) {

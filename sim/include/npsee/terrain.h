@@ -115,6 +115,9 @@ class Terrain final : public Ground {
   /// Source: cells by Amanatides & Woo 1987; clearance over a bilinear cell is a quadratic in the ray parameter.
   Sight sight(const Vec3& eye, const Vec3& target) const;
 
+  /// `sight(eye, target).clear`, quicker: it ends at the first obstacle.
+  bool sees(const Vec3& eye, const Vec3& target) const;
+
   /// The thesis's test: `samples` points evenly along the ray. Misses what stands between them; kept as the legacy mode.
   bool sightSampled(const Vec3& eye, const Vec3& target, int samples = 100) const;
 
