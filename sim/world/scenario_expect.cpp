@@ -3,9 +3,11 @@
 #include "sim/core/text.h"
 #include "sim/world/scenario_values.h"
 
+#include <npsee/recording.h>
+
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <algorithm>
 
 namespace npsee::world {
 namespace {
@@ -22,7 +24,7 @@ class ClauseReader {
   void read(const ordered_json& clause, const std::string& pointer, Expectation& out) {
     if (!clause.is_object()) return wrong(pointer, "a clause is " + shownJson(clause) + ", but must be an object such as {\"event\": \"destroyed\"}.");
     if (clause.contains("not") && !out.negated) return readNot(clause, pointer, out);
-    if (!clause.contains("event")) wrong(pointer, "the clause names no event.", "Add \"event\": \"destroyed\", or another kind of the log.");
+    if (!readEvent(clause, pointer)) return;
     for (const auto& [key, value] : clause.items()) readKey(key, value, pointer + '/' + pointerToken(key), out);
     // "at most five" is met by none at all, unless a lower bound is given too.
     if (out.at_most && !clause.contains("at_least")) out.at_least = 0;
@@ -33,6 +35,36 @@ class ClauseReader {
   bool fine() const { return faults_.size() == before_; }
 
  private:
+  /// The kind of event decides which other keys there are.
+  bool readEvent(const ordered_json& clause, const std::string& pointer) {
+    if (!clause.contains("event")) {
+      wrong(pointer, "the clause names no event.", "Add \"event\": \"destroyed\", or another kind of the log.");
+      return false;
+    }
+    const ordered_json& event = clause["event"];
+    const std::vector<std::string_view> names(eventKindNames().begin(), eventKindNames().end());
+    kind_ = event.is_string() ? event.get<std::string>() : std::string();
+    if (std::ranges::find(names, kind_) != names.end()) return true;
+    const auto near = nearest(kind_, names);
+    wrong(pointer + "/event", "event is " + shownJson(event) + ", but must be the name of an event.", near ? "Did you mean " + std::string(*near) + "?" : "Events are " + listed(names) + ".");
+    return false;
+  }
+
+  /// The log's key of this name; a fault where events of the kind have none.
+  const EventKey* keyOf(const std::string& key, const std::string& pointer) {
+    static constexpr EventKey kTime{"", "t", "number", "s", ""};
+    if (key == "t") return &kTime;
+    std::vector<std::string_view> known{"within", "before", "after", "at_least", "at_most", "t"};
+    for (const EventKey& row : eventSchema()) {
+      if (row.event != kind_) continue;
+      if (row.key == key) return &row;
+      known.push_back(row.key);
+    }
+    const auto near = nearest(key, known);
+    wrong(pointer, "events of the kind " + kind_ + " have no such key.", near ? "Did you mean " + std::string(*near) + "?" : "A clause about them knows " + listed(known) + ".");
+    return nullptr;
+  }
+
   void wrong(const std::string& pointer, std::string what, std::string remedy = {}) { faults_.push_back(json_.fault(pointer, std::move(what), std::move(remedy))); }
 
   void readNot(const ordered_json& clause, const std::string& pointer, Expectation& out) {
@@ -55,6 +87,8 @@ class ClauseReader {
 
   void readWithin(const ordered_json& value, const std::string& pointer, Expectation& out) {
     const bool fits = value.is_object() && value.size() == 2 && value.contains("of") && value.contains("m") && value["of"].is_string() && value["m"].is_number();
+    const bool placed = std::ranges::any_of(eventSchema(), [&](const EventKey& row) { return row.event == kind_ && row.key == "position"; });
+    if (!placed) return wrong(pointer, "events of the kind " + kind_ + " have no position to be within of.", "Leave within out.");
     if (!fits) return wrong(pointer, "within is " + shownJson(value) + ", but must be {\"of\": \"t72-1\", \"m\": 60}.");
     out.within_of = value["of"].get<std::string>();
     out.within_m = value["m"].get<double>();
@@ -76,16 +110,25 @@ class ClauseReader {
   void readField(const std::string& key, const ordered_json& value, const std::string& pointer, Expectation& out) {
     ExpectField field;
     field.key = key;
-    if (value.is_string()) field.value = value.get<std::string>();
-    else if (value.is_boolean()) field.value = value.get<bool>();
-    else if (value.is_number()) field.value = value.get<double>();
-    else if (!value.is_object() || !readBounds(value, field)) return wrong(pointer, key + " is " + shownJson(value) + ", but must be a text, a number, true or false, or {\"min\": A, \"max\": B}.");
-    if (key == "event" && !value.is_string()) wrong(pointer, "event is " + shownJson(value) + ", but must be the name of an event.");
+    if (key == "event") {
+      field.value = kind_;
+      out.fields.push_back(std::move(field));
+      return;
+    }
+    const EventKey* row = keyOf(key, pointer);
+    if (row == nullptr) return;
+    const std::string_view type = row->type;
+    const bool number = type == "number" || type == "whole";
+    if (type == "place") return wrong(pointer, key + " is a place, which a clause cannot compare.", "Use \"within\": {\"of\": \"t72-1\", \"m\": 60}, which is about position.");
+    if (number && value.is_number()) field.value = value.get<double>();
+    else if (number && value.is_object() && readBounds(value, field)) field.value = 0.0;
+    else if (type == "bool" && value.is_boolean()) field.value = value.get<bool>();
+    else if (!number && type != "bool" && value.is_string()) field.value = value.get<std::string>();
+    else return wrong(pointer, key + " is " + shownJson(value) + ", but must be " + (number ? "a number or {\"min\": A, \"max\": B}." : type == "bool" ? "true or false." : "a text."));
     out.fields.push_back(std::move(field));
   }
 
   static bool readBounds(const ordered_json& value, ExpectField& field) {
-    field.value = 0.0;
     for (const auto& [key, bound] : value.items()) {
       if (!bound.is_number() || (key != "min" && key != "max")) return false;
       (key == "min" ? field.min : field.max) = bound.get<double>();
@@ -96,6 +139,7 @@ class ClauseReader {
   const JsonText& json_;
   std::vector<Fault>& faults_;
   std::size_t before_;
+  std::string kind_;
 };
 
 ordered_json fieldJson(const ExpectField& field) {

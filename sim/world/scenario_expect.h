@@ -12,7 +12,7 @@ namespace npsee::world {
 
 /// Reads one clause of `expect`; adds its faults and returns nothing where it is wrong.
 ///
-///   { "event": "detonation", "target": "t72-1", "miss": {"max": 60}, "within": {"of": "t72-1", "m": 60}, "before": 120, "at_least": 2 }
+///   { "event": "detonation", "target": "t72-1", "miss_m": {"max": 60}, "within": {"of": "t72-1", "m": 60}, "before": 120, "at_least": 2 }
 ///   { "not": { "event": "fire", "trajectory": "low" } }
 ///
 /// `event`, `within`, `before`, `after`, `at_least` and `at_most` are the clause's own keys; every other key is one of the event

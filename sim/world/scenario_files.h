@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace npsee::world {
 
@@ -32,5 +33,10 @@ Expected<Weapons> missionWeapons(const Scenario& scenario);
 
 /// The terrain with its file's path made ready to open.
 TerrainSource missionTerrain(const Scenario& scenario);
+
+/// The mission with what it leaves to the thesis's facts (appendix B.C): where it lists no observer, no batteries, or an observer
+/// without mission orders, they come from the facts file it names, orders and guns also from an observer's own `rules` if those hold facts. Resolving
+/// twice changes nothing. `warnings` gets what is doubtful in the facts. Error kind input, with file and line.
+Expected<Scenario> resolved(const Scenario& scenario, std::vector<Fault>* warnings = nullptr);
 
 }  // namespace npsee::world

@@ -4,6 +4,8 @@
 
 #include "tests/support/process.h"
 
+#include <npsee/recording.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -63,12 +65,25 @@ TEST(ParamsCommand, GivesTheKeysOfMissionsAsJson) {
   EXPECT_EQ(rows[0].at("default"), "auto");
 }
 
-// The reference in the manual is what the program prints.
-TEST(MissionManual, HoldsTheReferenceAsThisProgramPrintsIt) {
+TEST(ParamsCommand, ShowsTheKeysOfTheEventLog) {
+  const auto text = test::npseeRun({"params", "--events"});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_NE(text.out.find("\nsolution\n  mission (whole): "), std::string::npos);
+  const auto schema = nlohmann::json::parse(test::npseeRun({"params", "--events", "--format", "schema"}).out);
+  ASSERT_EQ(schema.at("oneOf").size(), static_cast<std::size_t>(kEventKinds));
+  EXPECT_EQ(schema.at("oneOf")[0].at("properties").at("ev").at("const"), "contact");
+  EXPECT_EQ(nlohmann::json::parse(test::npseeRun({"params", "--events", "--format", "json"}).out).size(), eventSchema().size());
+  EXPECT_EQ(test::npseeRun({"params", "--events", "--missions"}).exit_code, 2);
+}
+
+// The references in the manual are what the program prints.
+TEST(MissionManual, HoldsTheReferencesAsThisProgramPrintsThem) {
   const std::string manual = test::slurp(kSource + "/docs/missions.md");
-  const auto printed = test::npseeRun({"params", "--missions", "--format", "markdown"});
-  ASSERT_EQ(printed.exit_code, 0);
-  EXPECT_NE(manual.find(printed.out), std::string::npos) << "put the output of `npsee params --missions --format markdown` between the markers of docs/missions.md";
+  for (const char* what : {"--missions", "--events"}) {
+    const auto printed = test::npseeRun({"params", what, "--format", "markdown"});
+    ASSERT_EQ(printed.exit_code, 0);
+    EXPECT_NE(manual.find(printed.out), std::string::npos) << "run scripts/update_manual.py build/dev/npsee";
+  }
 }
 
 }  // namespace

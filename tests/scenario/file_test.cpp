@@ -108,9 +108,9 @@ TEST(MissionFile, SavingAndLoadingIsIdentityAndKeepsTheClauses) {
   Scenario s = test::sampleScenario();
   s.folder = folder.path();
   Expectation clause;
-  clause.fields = {{"event", std::string("detonation"), {}, {}}, {"miss", 0.0, {}, 60.0}};
+  clause.fields = {{"event", std::string("detonation"), {}, {}}, {"miss_m", 0.0, {}, 60.0}};
   clause.before_s = 100.0;
-  clause.text = R"({"event":"detonation","miss":{"max":60.0},"before":100})";
+  clause.text = R"({"event":"detonation","miss_m":{"max":60.0},"before":100})";
   s.expect.push_back(clause);
   ASSERT_TRUE(saveScenario(s, folder / "a.mission.json"));
   const auto loaded = loadScenario(folder / "a.mission.json");
@@ -278,8 +278,13 @@ TEST(MissionMessages, OfClauses) {
   EXPECT_TRUE(contains(clause("3"), "m.json:2: /expect/0: a clause is 3, but must be an object such as {\"event\": \"destroyed\"}."));
   EXPECT_TRUE(contains(clause("{}"), "/expect/0: the clause names no event."));
   EXPECT_TRUE(contains(clause(R"({"event":7})"), "/expect/0/event: event is 7, but must be the name of an event."));
-  EXPECT_TRUE(contains(clause(R"({"event":"fire","gun":[1]})"), "/expect/0/gun: gun is [1], but must be a text, a number, true or false, or {\"min\": A, \"max\": B}."));
-  EXPECT_TRUE(contains(clause(R"({"event":"fire","t":{"mim":1}})"), "/expect/0/t: t is {\"mim\":1}, but must be a text, a number, true or false, or {\"min\": A, \"max\": B}."));
+  EXPECT_TRUE(contains(clause(R"({"event":"fir"})"), "/expect/0/event: event is \"fir\", but must be the name of an event.\n  Did you mean fire?"));
+  EXPECT_TRUE(contains(clause(R"({"event":"fire","gan":"gun1"})"), "/expect/0/gan: events of the kind fire have no such key.\n  Did you mean gun?"));
+  EXPECT_TRUE(contains(clause(R"({"event":"fire","position":[1,2,3]})"), "/expect/0/position: position is a place, which a clause cannot compare."));
+  EXPECT_TRUE(contains(clause(R"({"event":"spot","observed":"no"})"), "/expect/0/observed: observed is \"no\", but must be true or false."));
+  EXPECT_TRUE(contains(clause(R"({"event":"lost","within":{"of":"x","m":1}})"), "/expect/0/within: events of the kind lost have no position to be within of."));
+  EXPECT_TRUE(contains(clause(R"({"event":"fire","gun":[1]})"), "/expect/0/gun: gun is [1], but must be a text."));
+  EXPECT_TRUE(contains(clause(R"({"event":"fire","t":{"mim":1}})"), "/expect/0/t: t is {\"mim\":1}, but must be a number or {\"min\": A, \"max\": B}."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","within":{"of":"x"}})"), "/expect/0/within: within is {\"of\":\"x\"}, but must be {\"of\": \"t72-1\", \"m\": 60}."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","within":{"of":"x","m":0}})"), "/expect/0/within/m: m is 0, but a distance must be above 0."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","within":{"of":"x","m":1}})"), "/expect/0: there is no vehicle, gun or observer \"x\"."));
