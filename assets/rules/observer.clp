@@ -9,8 +9,8 @@
   (slot id) (slot action)
   (slot state (default waiting))            ; waiting called engaged given-up done
   (slot mission (default 0))                ; the last one on it
-  (slot x (default 0)) (slot z (default 0)) ; of the contact when it was given up or done
-  (slot own-x (default 0)) (slot own-z (default 0)))
+  (slot x (default none)) (slot z (default none)) ; of the contact when it was given up
+  (slot own-x (default none)) (slot own-z (default none))) ; and of the observer
 
 ; The bracket of a mission in adjustment. last: over or short, the side of the last round; step: how far the range was shifted then;
 ; width: of the bracket once two rounds enclose the target, 0 before.
@@ -21,6 +21,7 @@
 (deftemplate sensed (slot mission) (slot right) (slot side) (slot off))
 
 (deftemplate volleys (slot mission) (slot fired (default 0)) (slot right (default 0)) (slot add (default 0)) (slot judged (default FALSE)))
+(deftemplate most-dangerous (slot id) (slot harmlessness)) ; of the targets that wait, while a channel is free
 (deftemplate fled (slot contact))
 (deftemplate warned (slot contact))
 (deftemplate lit (slot contact))
@@ -147,24 +148,29 @@
 
 (defrule destroyed-without-mission
   ?target <- (target (id ?id) (state waiting|given-up))
-  (contact (id ?id) (condition destroyed) (x ?x) (z ?z))
+  (contact (id ?id) (condition destroyed))
   =>
-  (modify ?target (state done) (x ?x) (z ?z)))
+  (modify ?target (state done)))
+
+(defrule note-where-it-was-given-up
+  ?target <- (target (id ?id) (state given-up) (x none))
+  (contact (id ?id) (x ?x) (z ?z))
+  (self (x ?own-x) (z ?own-z))
+  =>
+  (modify ?target (x ?x) (z ?z) (own-x ?own-x) (own-z ?own-z)))
 
 ; Something has changed: the target or the observer is elsewhere.
 (defrule target-moved-on
-  ?target <- (target (id ?id) (state given-up) (x ?x) (z ?z))
-  (contact (id ?id) (x ?now-x) (z ?now-z) (condition ~destroyed))
-  (test (> (moved-apart ?x ?z ?now-x ?now-z) 200.0))
+  ?target <- (target (id ?id) (state given-up) (x ?x&~none) (z ?z))
+  (contact (id ?id) (condition ~destroyed) (x ?now-x) (z ?now-z&:(> (moved-apart ?x ?z ?now-x ?now-z) 200.0)))
   =>
-  (modify ?target (state waiting)))
+  (modify ?target (state waiting) (x none) (z none)))
 
 (defrule observer-moved-on
-  ?target <- (target (state given-up) (own-x ?x) (own-z ?z))
-  (self (x ?now-x) (z ?now-z) (moving FALSE))
-  (test (> (moved-apart ?x ?z ?now-x ?now-z) 200.0))
+  ?target <- (target (state given-up) (own-x ?x&~none) (own-z ?z))
+  (self (x ?now-x) (z ?now-z&:(> (moved-apart ?x ?z ?now-x ?now-z) 200.0)) (moving FALSE))
   =>
-  (modify ?target (state waiting)))
+  (modify ?target (state waiting) (x none) (z none)))
 
 ; Effect that wears off: a suppressed target fights again.
 (defrule target-recovers
@@ -176,29 +182,70 @@
 
 ; ----- calls for fire -----
 
-; The nearest target that can still fight, one mission on each, as many at a time as there are channels.
+; With a channel free, any target he could fire at is taken for the most dangerous, ...
+(defrule look-for-the-most-dangerous
+  (declare (salience -6))
+  (channel (contact none))
+  (not (most-dangerous))
+  (self (max-range ?max))
+  (target (id ?id) (state waiting))
+  (contact (id ?id) (seen TRUE) (condition ?condition&~destroyed) (range ?range&:(<= ?range ?max)))
+  =>
+  (assert (most-dangerous (id ?id) (harmlessness (harmlessness ?range ?condition)))))
+
+; ... until there is none that is worse: the nearest of those that can still fight, then of those already hit.
+(defrule another-is-more-dangerous
+  (declare (salience -7))
+  ?most <- (most-dangerous (id ?id) (harmlessness ?its))
+  (self (max-range ?max))
+  (target (id ?other&~?id) (state waiting))
+  (contact (id ?other) (seen TRUE) (condition ?condition&~destroyed)
+           (range ?range&:(<= ?range ?max)
+                 &:(or (< (harmlessness ?range ?condition) ?its) (and (= (harmlessness ?range ?condition) ?its) (< ?other ?id)))))
+  =>
+  (modify ?most (id ?other) (harmlessness (harmlessness ?range ?condition))))
+
+; One mission on each target, as many at a time as there are channels.
 (defrule call-on-most-dangerous
   (declare (salience -10))
+  ?most <- (most-dangerous (id ?id))
   (settings (danger-close ?danger-close))
   ?channel <- (channel (contact none))
-  (self (method ?method) (max-range ?max) (x ?own-x) (z ?own-z))
+  (self (method ?method))
   ?target <- (target (id ?id) (state waiting))
-  (contact (id ?id) (seen TRUE) (condition ?condition&~destroyed) (range ?range&:(<= ?range ?max))
-           (location-error ?error) (hostile ?hostile) (friendly ?own) (speed ?speed) (friendly-distance ?friendly))
-  (not (and (target (id ?other&~?id) (state waiting))
-            (contact (id ?other) (seen TRUE) (condition ?its&~destroyed)
-                     (range ?its-range&:(<= ?its-range ?max)
-                            &:(or (< (harmlessness ?its-range ?its) (harmlessness ?range ?condition))
-                                  (and (= (harmlessness ?its-range ?its) (harmlessness ?range ?condition)) (< ?other ?id)))))))
+  (contact (id ?id) (location-error ?error) (hostile ?hostile) (friendly ?own) (speed ?speed) (friendly-distance ?friendly))
   =>
+  (retract ?most)
   (call-for-fire ?id (chosen-method ?method ?error (max ?hostile ?own) ?speed ?friendly ?danger-close))
   (modify ?channel (contact ?id))
-  (modify ?target (state called) (own-x ?own-x) (own-z ?own-z)))
+  (modify ?target (state called)))
+
+(defrule most-dangerous-has-moved
+  (declare (salience -5))
+  ?most <- (most-dangerous (id ?id) (harmlessness ?its))
+  (contact (id ?id) (condition ?condition) (range ?range&:(<> (harmlessness ?range ?condition) ?its)))
+  =>
+  (modify ?most (harmlessness (harmlessness ?range ?condition))))
+
+(defrule most-dangerous-is-gone
+  (declare (salience -4))
+  (self (max-range ?max))
+  ?most <- (most-dangerous (id ?id))
+  (not (and (target (id ?id) (state waiting)) (contact (id ?id) (seen TRUE) (condition ~destroyed) (range ?range&:(<= ?range ?max)))))
+  =>
+  (retract ?most))
+
+(defrule nothing-can-be-called-for
+  (declare (salience -4))
+  ?most <- (most-dangerous)
+  (not (channel (contact none)))
+  =>
+  (retract ?most))
 
 ; At night a target that is lost from sight is lit, once for each time it is lost.
 (defrule light-up-lost-target
   (declare (salience -20))
-  (self (night TRUE) (method automatic|illuminate) (x ?own-x) (z ?own-z))
+  (self (night TRUE) (method automatic|illuminate))
   ?channel <- (channel (contact none))
   ?target <- (target (id ?id) (state waiting))
   (contact (id ?id) (seen FALSE) (condition ~destroyed))
@@ -207,7 +254,7 @@
   (call-for-fire ?id illuminate)
   (assert (lit (contact ?id)))
   (modify ?channel (contact ?id))
-  (modify ?target (state called) (own-x ?own-x) (own-z ?own-z)))
+  (modify ?target (state called)))
 
 (defrule seen-again
   ?lit <- (lit (contact ?id))
@@ -229,27 +276,17 @@
   (declare (salience 20))
   (fire-mission (mission ?mission) (contact ?id) (state refused) (reason ?reason))
   ?target <- (target (id ?id) (state engaged) (mission ?mission))
-  (contact (id ?id) (x ?x) (z ?z))
   =>
   (end-of-mission ?mission ?reason)
-  (modify ?target (state given-up) (x ?x) (z ?z)))
+  (modify ?target (state given-up)))
 
 ; Somebody else ended it: the fire direction centre or a person.
 (defrule mission-was-ended
   (declare (salience 20))
   (fire-mission (mission ?mission) (contact ?id) (state ended))
   ?target <- (target (id ?id) (state called|engaged) (mission ?mission))
-  (contact (id ?id) (x ?x) (z ?z))
   =>
-  (modify ?target (state given-up) (x ?x) (z ?z)))
-
-(defrule mission-was-ended-and-contact-is-gone
-  (declare (salience 20))
-  (fire-mission (mission ?mission) (contact ?id) (state ended))
-  ?target <- (target (id ?id) (state called|engaged) (mission ?mission))
-  (not (contact (id ?id)))
-  =>
-  (retract ?target))
+  (modify ?target (state given-up)))
 
 (defrule contact-is-gone
   (declare (salience 20))
@@ -282,10 +319,10 @@
   (declare (salience 15))
   (fire-mission (mission ?mission) (contact ?id) (state accepted|splash))
   ?target <- (target (id ?id) (state engaged) (mission ?mission))
-  (contact (id ?id) (condition destroyed) (x ?x) (z ?z))
+  (contact (id ?id) (condition destroyed))
   =>
   (end-of-mission ?mission "destroyed")
-  (modify ?target (state done) (x ?x) (z ?z)))
+  (modify ?target (state done)))
 
 (defrule put-spot-into-words
   (declare (salience 10))
@@ -410,21 +447,19 @@
   ?target <- (target (id ?id) (state engaged) (mission ?mission))
   (fire-mission (mission ?mission) (state accepted|splash) (method adjust_fire))
   (adjustment (mission ?mission) (lost ?lost&:(>= ?lost 3)))
-  (contact (id ?id) (x ?x) (z ?z))
   =>
   (end-of-mission ?mission "the rounds cannot be observed")
-  (modify ?target (state given-up) (x ?x) (z ?z)))
+  (modify ?target (state given-up)))
 
 (defrule adjustment-takes-too-long
   (declare (salience 9))
   ?sensed <- (sensed (mission ?mission))
   ?target <- (target (id ?id) (state engaged) (mission ?mission))
   (fire-mission (mission ?mission) (rounds ?rounds&:(> ?rounds 15)))
-  (contact (id ?id) (x ?x) (z ?z))
   =>
   (retract ?sensed)
   (end-of-mission ?mission (str-cat "not adjusted after " ?rounds " rounds"))
-  (modify ?target (state given-up) (x ?x) (z ?z)))
+  (modify ?target (state given-up)))
 
 ; ----- effect -----
 
@@ -487,7 +522,7 @@
   (fire-mission (mission ?mission) (contact ?id) (state effect_over) (method ?method))
   ?volleys <- (volleys (mission ?mission) (judged TRUE))
   ?target <- (target (id ?id) (state engaged) (mission ?mission) (action ?action))
-  (contact (id ?id) (condition ?condition) (x ?x) (z ?z))
+  (contact (id ?id) (condition ?condition))
   (test (or (eq ?condition destroyed)
             (eq ?action special)
             (and (eq ?action neutralize) (neq ?condition whole))
@@ -495,9 +530,9 @@
   =>
   (retract ?volleys)
   (if (eq ?method illuminate)
-    then (end-of-mission ?mission "illuminated") (modify ?target (state given-up) (x ?x) (z ?z))
+    then (end-of-mission ?mission "illuminated") (modify ?target (state given-up))
     else (if (eq ?method smoke) then (end-of-mission ?mission "screened") else (end-of-mission ?mission (grade ?condition)))
-         (modify ?target (state (if (or (eq ?condition destroyed) (eq ?action special) (eq ?action neutralize)) then done else given-up)) (x ?x) (z ?z))))
+         (modify ?target (state (if (or (eq ?condition destroyed) (eq ?action special) (eq ?action neutralize)) then done else given-up)))))
 
 (defrule repeat-effect
   (declare (salience 8))
@@ -516,12 +551,12 @@
   (fire-mission (mission ?mission) (contact ?id) (state effect_over))
   ?volleys <- (volleys (mission ?mission) (judged TRUE) (fired ?fired))
   ?target <- (target (id ?id) (state engaged) (mission ?mission))
-  (contact (id ?id) (condition ?condition&~destroyed) (seen ?seen) (x ?x) (z ?z))
+  (contact (id ?id) (condition ?condition&~destroyed) (seen ?seen))
   (test (or (>= ?fired 10) (eq ?seen FALSE)))
   =>
   (retract ?volleys)
   (end-of-mission ?mission (if (eq ?seen FALSE) then (str-cat "target out of sight, " (grade ?condition)) else (str-cat (grade ?condition) " after " ?fired " volleys")))
-  (modify ?target (state given-up) (x ?x) (z ?z)))
+  (modify ?target (state given-up)))
 
 ; ----- what is over is forgotten -----
 

@@ -423,6 +423,8 @@ void ClipsHost::retract(FactHandle handle) {
   if (EnvFactExistp(state_->env, handle)) EnvRetract(state_->env, handle);
 }
 
+bool ClipsHost::exists(FactHandle fact) const { return fact != nullptr && EnvFactExistp(state_->env, fact); }
+
 void ClipsHost::begin() {
   state_->steps = state_->joins = 0;
   state_->started_s = threadSeconds();

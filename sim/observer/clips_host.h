@@ -73,6 +73,8 @@ class ClipsHost {
   FactHandle assertOrdered(const char* name, const std::vector<RuleValue>& values);
   /// Retracts unless rules have done so; the handle is then void.
   void retract(FactHandle fact);
+  /// Whether no rule has retracted it.
+  bool exists(FactHandle fact) const;
 
   /// Starts counting anew: forgets errors and what has been used up. Then facts are asserted, then `run`.
   void begin();

@@ -19,7 +19,7 @@ struct Contact {
   int id = -1;                 ///< index of the vehicle in the recording
   int type = 0;
   std::string type_name;
-  double x_m = 0.0, z_m = 0.0; ///< where he believes it to be, rounded to metres so that facts change seldom
+  double x_m = 0.0, z_m = 0.0; ///< where he believes it to be
   double range_m = 0.0;        ///< from him
   double azimuth_mil = 0.0;    ///< from him
   double speed_mps = 0.0;
@@ -107,7 +107,9 @@ class Mind {
   Mind& operator=(Mind&&) noexcept;
 
   void self(const SelfFacts& self);
-  void contact(const Contact& contact);        ///< new or changed; nothing happens if it is equal to what is known
+  /// New or changed. Rules are not told of changes too small to matter to them (20 m of place or range, 20 mil, 1 m/s, 0.02 of
+  /// belief, unless a limit they compare with is crossed), so that it may be called for every contact at every tick.
+  void contact(const Contact& contact);
   void forget(int contact);
   void mission(const MissionFact& mission);    ///< new or changed
   void spot(const Spot& spot);

@@ -15,6 +15,7 @@ struct Mind::Data {
   struct KnownContact {
     Contact value;
     FactHandle fact = nullptr;
+    bool dismissed = false;                             ///< rules have retracted it
   };
   struct KnownMission {
     MissionFact value;
@@ -29,6 +30,7 @@ struct Mind::Data {
   FactHandle self_fact = nullptr;
   std::map<int, KnownContact> contacts;
   std::map<int, std::optional<Contact>> new_contacts;   ///< no value = forgotten
+  std::vector<int> told_contacts;                       ///< in the run under way
   std::map<int, KnownMission> missions;
   std::map<int, MissionFact> new_missions;
   std::vector<Spot> new_spots;
@@ -45,7 +47,7 @@ struct Mind::Data {
   void decide(Decision decision);
 };
 
-/// As rules are told it: rounded, so that facts change seldom.
+/// As rules are told it.
 Contact rounded(const Contact& contact);
 
 /// Words of rules for the values of enumerations.

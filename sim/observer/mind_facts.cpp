@@ -11,23 +11,37 @@ constexpr std::array<std::string_view, 6> kStates{"refused", "accepted", "splash
 constexpr std::array<std::string_view, 7> kMethods{"automatic", "adjust_fire", "fire_for_effect", "suppress", "immediate_suppression", "smoke", "illuminate"};
 constexpr std::array<std::string_view, 3> kActions{"destroy", "neutralize", "special"};
 
+// Rules are told of a change when it is worth their while: every changed fact costs about ten microseconds, and none of their
+// decisions depends on less. What is told is then exact (rounded), not the step.
+constexpr double kPlaceStep_m = 20.0, kAzimuthStep_mil = 20.0, kSpeedStep_mps = 1.0, kErrorStep_m = 10.0, kBeliefStep = 0.02, kFriendlyStep_m = 50.0;
+// Beyond every danger-close distance the exact figure is of no interest.
+constexpr double kFarFriendly_m = 5000.0;
+
 double roundedTo(double value, double step) { return std::isfinite(value) ? std::nearbyint(value / step) * step : 0.0; }
 
 RuleValue whole(int value) { return static_cast<std::int64_t>(value); }
 RuleValue word(std::string_view text) { return Symbol{std::string(text)}; }
 RuleValue truth(bool value) { return Symbol{value ? "TRUE" : "FALSE"}; }
 
-bool same(const Contact& a, const Contact& b) {
-  return a.id == b.id && a.type == b.type && a.type_name == b.type_name && a.x_m == b.x_m && a.z_m == b.z_m && a.range_m == b.range_m && a.azimuth_mil == b.azimuth_mil &&
-         a.speed_mps == b.speed_mps && a.location_error_m == b.location_error_m && a.hostile == b.hostile && a.friendly == b.friendly && a.condition == b.condition &&
-         a.seen == b.seen && a.friendly_distance_m == b.friendly_distance_m;
+bool near(double a, double b, double step) { return std::abs(a - b) < step; }
+/// Two values that lie close together and on the same side of what rules compare them with.
+bool alike(double a, double b, double step, double edge) { return near(a, b, step) && (a < edge) == (b < edge); }
+
+bool alikeInKind(const Contact& a, const Contact& b, const MindSetup& setup) {
+  return a.type == b.type && a.condition == b.condition && alike(a.hostile, b.hostile, kBeliefStep, setup.hostile_belief) &&
+         alike(a.friendly, b.friendly, kBeliefStep, setup.hostile_belief) && a.type_name == b.type_name;
+}
+bool alikeInPlace(const Contact& a, const Contact& b, const MindSetup& setup) {
+  return a.seen == b.seen && near(a.x_m, b.x_m, kPlaceStep_m) && near(a.z_m, b.z_m, kPlaceStep_m) && near(a.range_m, b.range_m, kPlaceStep_m) &&
+         near(a.azimuth_mil, b.azimuth_mil, kAzimuthStep_mil) && near(a.speed_mps, b.speed_mps, kSpeedStep_mps) &&
+         near(a.location_error_m, b.location_error_m, kErrorStep_m) && alike(std::min(a.friendly_distance_m, kFarFriendly_m), std::min(b.friendly_distance_m, kFarFriendly_m), kFriendlyStep_m, setup.danger_close_m);
 }
 bool same(const MissionFact& a, const MissionFact& b) {
   return a.mission == b.mission && a.contact == b.contact && a.state == b.state && a.method == b.method && a.rounds == b.rounds && a.danger_close == b.danger_close &&
          a.ot_distance_m == b.ot_distance_m && a.reason == b.reason;
 }
-bool same(const SelfFacts& a, const SelfFacts& b) {
-  return a.x_m == b.x_m && a.z_m == b.z_m && a.type == b.type && a.max_range_m == b.max_range_m && a.moving == b.moving && a.night == b.night && a.method == b.method &&
+bool alike(const SelfFacts& a, const SelfFacts& b) {
+  return near(a.x_m, b.x_m, kPlaceStep_m) && near(a.z_m, b.z_m, kPlaceStep_m) && a.type == b.type && a.max_range_m == b.max_range_m && a.moving == b.moving && a.night == b.night && a.method == b.method &&
          a.self_preservation == b.self_preservation;
 }
 
@@ -89,12 +103,11 @@ Contact rounded(const Contact& contact) {
   out.z_m = roundedTo(contact.z_m, 1.0);
   out.range_m = roundedTo(contact.range_m, 1.0);
   out.azimuth_mil = roundedTo(contact.azimuth_mil, 1.0);
-  out.speed_mps = roundedTo(contact.speed_mps, 0.5);
+  out.speed_mps = roundedTo(contact.speed_mps, 0.1);
   out.location_error_m = roundedTo(contact.location_error_m, 1.0);
   out.hostile = roundedTo(contact.hostile, 0.001);
   out.friendly = roundedTo(contact.friendly, 0.001);
-  // Beyond every danger-close distance the exact figure would only make facts change.
-  out.friendly_distance_m = roundedTo(std::min(contact.friendly_distance_m, 5000.0), 10.0);
+  out.friendly_distance_m = roundedTo(std::min(contact.friendly_distance_m, kFarFriendly_m), 1.0);
   return out;
 }
 
@@ -105,7 +118,7 @@ void Mind::Data::tellSettings() {
 }
 
 void Mind::Data::tellChanges() {
-  if (new_self && !(self && same(*self, *new_self))) {
+  if (new_self && !(self && alike(*self, *new_self))) {
     host.retract(self_fact);
     self_fact = tell(host, *new_self);
     self = new_self;
@@ -121,6 +134,8 @@ void Mind::Data::tellChanges() {
     }
     known.value = *contact;
     known.fact = tell(host, *contact);
+    known.dismissed = false;
+    told_contacts.push_back(id);
   }
   new_contacts.clear();
   for (const auto& [number, mission] : new_missions) {
@@ -144,6 +159,11 @@ void Mind::Data::tellChanges() {
 void Mind::Data::forgetPassing() {
   for (const FactHandle fact : passing) host.retract(fact);
   passing.clear();
+  for (const int id : told_contacts) {
+    const auto known = contacts.find(id);
+    if (known != contacts.end()) known->second.dismissed = !host.exists(known->second.fact);
+  }
+  told_contacts.clear();
   // A mission that ended is told once; its number stays known, so that telling it again changes nothing.
   for (auto& [number, known] : missions) {
     if (known.value.state != MissionFact::State::ended || known.fact == nullptr) continue;
@@ -155,13 +175,15 @@ void Mind::Data::forgetPassing() {
 void Mind::self(const SelfFacts& self) { data_->new_self = self; }
 
 void Mind::contact(const Contact& contact) {
-  const Contact told = rounded(contact);
-  const auto known = data_->contacts.find(told.id);
-  if (known != data_->contacts.end() && same(known->second.value, told)) {
-    data_->new_contacts.erase(told.id);
+  Data& data = *data_;
+  // What rules have dismissed (retracted) is of interest again only when it seems to be something else.
+  const auto known = data.contacts.find(contact.id);
+  if (known != data.contacts.end() && alikeInKind(known->second.value, contact, data.setup) &&
+      (known->second.dismissed || alikeInPlace(known->second.value, contact, data.setup))) {
+    if (!data.new_contacts.empty()) data.new_contacts.erase(contact.id);
     return;
   }
-  data_->new_contacts.insert_or_assign(told.id, told);
+  data.new_contacts.insert_or_assign(contact.id, rounded(contact));
 }
 
 void Mind::forget(int contact) {

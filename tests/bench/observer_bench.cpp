@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <vector>
 
 namespace npsee::observer {
@@ -22,6 +23,30 @@ Contact vehicle(int id, int round) {
   return out;
 }
 
+/// All of 200 vehicles drive on at 8 m/s and are told at every tick of 0.05 s, as a mission does.
+void drive(benchmark::State& state) {
+  MindSetup setup;
+  setup.orders = {{MissionAction::destroy, 51}};
+  auto mind = Mind::make(setup);
+  if (!mind) return state.SkipWithError(mind.error().text().c_str());
+  std::vector<Decision> decisions;
+  std::vector<Contact> contacts;
+  for (int id = 0; id < static_cast<int>(state.range(0)); ++id) contacts.push_back(vehicle(id, 0));
+  double time_s = 0.0;
+  for (auto _ : state) {
+    time_s += 0.05;
+    for (Contact& contact : contacts) {
+      contact.z_m = 25000.0 + 100.0 * contact.id + 8.0 * time_s;
+      contact.range_m = 1000.0 + 8.0 * std::fmod(time_s + contact.id * 1.7, 300.0);
+      mind->contact(contact);
+    }
+    decisions.clear();
+    if (!mind->think(decisions)) return state.SkipWithError("the rules failed");
+    benchmark::DoNotOptimize(decisions.data());
+  }
+}
+BENCHMARK(drive)->ArgName("contacts")->Arg(20)->Arg(200)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
 /// One think with `changed` of `contacts` vehicles moved since the last, a mission being open.
 void think(benchmark::State& state) {
   const int contacts = static_cast<int>(state.range(0)), changed = static_cast<int>(state.range(1));
@@ -35,7 +60,7 @@ void think(benchmark::State& state) {
   mind.self(self);
   std::vector<Decision> decisions;
   for (int id = 0; id < contacts; ++id) mind.contact(vehicle(id, 0));
-  if (!mind.think(decisions)) return state.SkipWithError("the rules failed");
+  if (const auto thought = mind.think(decisions); !thought) return state.SkipWithError(thought.error().text().c_str());
   for (const Decision& decision : decisions)
     if (decision.kind == Decision::Kind::call) {
       MissionFact mission;
@@ -48,7 +73,7 @@ void think(benchmark::State& state) {
   for (auto _ : state) {
     ++round;
     for (int i = 0; i < changed; ++i) {
-      mind.contact(vehicle(next, round));
+      mind.contact(vehicle(next, 40 * round));
       next = (next + 7) % contacts;
     }
     decisions.clear();

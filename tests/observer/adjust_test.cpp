@@ -1,4 +1,3 @@
-#include "sim/observer/sensing.h"
 #include "tests/observer/observer_support.h"
 
 #include <npsee/units.h>
