@@ -16,6 +16,15 @@ vec3 litDiffuse(vec3 albedo, vec3 normal) {
   return albedo * (kKeyLight * max(dot(normal, kKeyDirection), 0.0) + ambientLight(normal));
 }
 
+// In a mission the light of the hour and the air between count; elsewhere both stay as they are by default.
+uniform float u_dimmed = 0.0;          // share of the light that is missing
+uniform float u_haze_extinction = 0.0; // of the air, per metre
+uniform vec3 u_haze_colour = vec3(0.0);
+
+vec3 dimmed(vec3 light) { return light * (1.0 - u_dimmed); }
+// Without haze exactly 1, which a driver's exp(0) need not be.
+float clearTo(float distance_m) { return u_haze_extinction > 0.0 ? exp(-u_haze_extinction * distance_m) : 1.0; }
+
 // Sky seen in a direction (not normalised).
 vec3 skyColour(vec3 direction) {
   float up = clamp(direction.y * inversesqrt(dot(direction, direction)), 0.0, 1.0);

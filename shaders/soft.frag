@@ -6,24 +6,24 @@ flat in float v_kind;
 flat in vec2 v_noise;
 flat in vec2 v_turn;
 in vec2 v_disc;
-in float v_world_y;
+in float v_above;         // height over the ground, m
+flat in float v_clear;    // share of the light that the air lets through
 flat in float v_radius;
 
 uniform sampler2D u_noise;   // tiling value noise, 0..1
 uniform vec3 u_right;        // camera axes in the world
 uniform vec3 u_up;
 uniform vec3 u_back;         // towards the eye
-uniform float u_ground;      // ground height, world m
 out vec4 o_colour;           // premultiplied
 
 // Rounds off where a disc would cut the ground in a hard line.
-float groundFade() { return u_clip.x == 0.0 ? 1.0 : clamp((v_world_y - u_ground) / (0.35 * v_radius) + 0.04, 0.0, 1.0); }
+float groundFade() { return u_fade == 0.0 ? 1.0 : clamp(v_above / (0.35 * v_radius) + 0.04, 0.0, 1.0); }
 
 vec4 streak() {
   float across = 1.0 - abs(v_disc.x);
   float along = 1.0 - v_disc.y * v_disc.y;
   float a = v_colour.a * smoothstep(0.0, 0.7, across) * along;
-  return vec4(v_colour.rgb * (1.2 + 2.0 * across * along) * a, a);
+  return vec4(mix(u_haze_colour * a, v_colour.rgb * (1.2 + 2.0 * across * along) * a, v_clear), a);
 }
 
 vec4 puff() {
@@ -40,11 +40,11 @@ vec4 puff() {
     // Light wraps around a cloud.
     float wrapped = clamp(dot(normal, kKeyDirection) * 0.6 + 0.4, 0.0, 1.0);
     vec3 light = kKeyLight * wrapped * (0.55 + 0.45 * noise) + ambientLight(normal);
-    return vec4(v_colour.rgb * light * a, a);
+    return vec4(mix(u_haze_colour * a, dimmed(v_colour.rgb * light * a), v_clear), a);
   }
   float heat = density * density * (0.6 + 0.8 * noise);
   vec3 glow = v_colour.rgb * (0.9 + 2.6 * heat) + vec3(0.9, 0.45, 0.12) * heat * heat;
-  return vec4(glow * a, a * 0.85);
+  return vec4(mix(u_haze_colour * (0.85 * a), glow * a, v_clear), a * 0.85);
 }
 
 vec4 flash() {
@@ -55,7 +55,7 @@ vec4 flash() {
   float core = smoothstep(0.62, 0.15, r);
   float a = v_colour.a * groundFade();
   vec3 light = v_colour.rgb * (1.1 * halo + 3.0 * core) + vec3(core);
-  return vec4(light * a, a * core);
+  return vec4(light * a * v_clear, a * core);
 }
 
 void main() {

@@ -27,7 +27,8 @@ flat out float v_kind;
 flat out vec2 v_noise;    // the particle's place in the noise
 flat out vec2 v_turn;     // its rotation, cosine and sine
 out vec2 v_disc;          // -1..1
-out float v_world_y;      // m
+out float v_above;        // height over the ground, m
+flat out float v_clear;
 flat out float v_radius;  // m
 
 const float kShutter = 1.0 / 50.0;  // s, what a streak's length shows of its motion
@@ -62,7 +63,8 @@ void main() {
   v_colour = vec4(linearFromSrgb(vec3(a_r, a_g, a_b)), opacity);
   v_kind = a_kind;
   v_disc = corner;
-  v_world_y = place.y;
+  v_above = place.y - groundUnder(place.xz);
+  v_clear = clearTo(length(to_eye));
   gl_ClipDistance[0] = clipDistance(place.y);
   gl_Position = u_view_projection * vec4(place, 1.0);
 }

@@ -34,11 +34,12 @@ void main() {
   float least = 2.5 * u_metre_per_pixel * distance(centre, u_eye);
   float size = a_size > 0.0 ? max(a_size, least) : 0.0;
   if (a_a <= u_opacity.x || a_a > u_opacity.y) size = 0.0;
-  centre.y += liftOf(a_y, size, upInBody(q));
+  centre.y += liftOf(a_y - groundUnder(vec2(a_x, a_z)), size, upInBody(q));
   vec3 normal = rotated(q, a_normal);
   vec3 place = centre + size * rotated(q, a_position);
   if (u_two_sided > 0.5 && dot(normal, u_eye - place) < 0.0) normal = -normal;
-  vec3 light = litDiffuse(linearFromSrgb(vec3(a_r, a_g, a_b)), normal);
+  vec3 light = dimmed(litDiffuse(linearFromSrgb(vec3(a_r, a_g, a_b)), normal));
+  light = mix(u_haze_colour, light, clearTo(distance(centre, u_eye)));
   v_flat = vec4(light * a_a, a_a);
   v_smooth = v_flat;
   gl_ClipDistance[0] = clipDistance(place.y);

@@ -4,13 +4,19 @@
 
 namespace npsee::render {
 
-/// The ground as passes see it.
+/// The ground around a burst, and light and air over it, as passes see them.
 struct GroundLevel {
   double height_m = 0.0;
-  bool solid = true;  ///< hides what is on its other side; false over plain and transparent backgrounds
+  bool solid = true;    ///< hides what is on its other side; false over plain and transparent backgrounds
+  bool fades = true;    ///< soft forms fade towards it; where it is solid
+  double slope_x = 0.0, slope_z = 0.0;  ///< rise per metre: on a terrain the ground is a plane through the burst
+  double shadow_nearer = 0.0;  ///< share of the distance by which shadows are drawn before the ground; above 0 they are hidden by what is nearer
+  double dimmed = 0.0;  ///< share of the daylight that is missing
+  double extinction_per_m = 0.0;
+  Vec3 haze;            ///< linear colour of the air
 };
 
-/// Sets u_ground and u_clip, and the clipping itself.
+/// Sets u_ground, u_slope, u_clip and u_fade, light and air, and the clipping itself.
 void setGround(const gl::Program& program, const View& view, const GroundLevel& ground);
 
 }  // namespace npsee::render

@@ -1,12 +1,10 @@
 #include "app/render/renderer.h"
 
 #include "app/render/backdrop_pass.h"
-#include "app/render/blend_order.h"
+#include "app/render/effect_passes.h"
 #include "app/render/effect_tiles.h"
 #include "app/render/finish_pass.h"
-#include "app/render/shadow_pass.h"
-#include "app/render/soft_pass.h"
-#include "app/render/solid_pass.h"
+#include "app/render/mission_scene.h"
 #include "app/render/target.h"
 #include "app/render/template_pass.h"
 
@@ -20,26 +18,6 @@ namespace {
 
 /// Most particles drawn with several samples per pixel, which take twice the time; among more, edges no longer show.
 constexpr std::size_t kMostSmooth = 10'000;
-
-/// Darkness of the shadow under a form; light throws none.
-double shadowStrength(Form form) {
-  switch (form) {
-    case Form::tetrahedron:
-    case Form::disc:
-    case Form::sphere:
-    case Form::shard: return 0.62;
-    case Form::smoke: return 0.22;
-    case Form::streak:
-    case Form::fire:
-    case Form::flash: break;
-  }
-  return 0.0;
-}
-
-/// The span cut to the particles the frame really holds.
-std::size_t countIn(const LayerSpan& layer, const Frame& frame) {
-  return layer.first >= frame.count ? 0 : std::min(layer.count, frame.count - layer.first);
-}
 
 Expected<void> checkSize(int width, int height) {
   if (width >= 1 && height >= 1 && width <= kMaxPictureSize && height <= kMaxPictureSize) return {};
@@ -73,25 +51,18 @@ struct Renderer::Impl {
     std::optional<Backdrop> backdrop;  // what the target's backdrop shows
   };
   BackdropPass backdrop;
-  SolidPass solid;
-  ShadowPass shadow;
+  EffectPasses effects;
   FinishPass finish;
   // Shaders that not every picture needs are compiled when one does: start-up time counts.
-  std::optional<SoftPass> soft;
   std::optional<TemplatePass> icon;
-  FrameUpload frame;
-  BlendedUpload blended;
-  BlendOrder order;
   TileMask mask;
   TileMesh tiles;
   std::array<Slot, 4> slots;
 
-  void drawShadows(const Scene& scene, const View& view) const;
-  void drawOpaque(const Scene& scene, const View& view, const GroundLevel& ground);
-  Expected<void> drawBlended(const Scene& scene, const View& view, const GroundLevel& ground);
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
+  Expected<void> draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot);
   /// The slot with its target at the wanted size.
   Expected<Slot*> sized(int slot, int width, int height);
 };
@@ -102,39 +73,6 @@ Expected<Renderer::Impl::Slot*> Renderer::Impl::sized(int index, int width, int 
   if (slot.target.width() != width || slot.target.height() != height) slot.backdrop.reset();
   if (auto made = slot.target.resize(width, height); !made) return tl::unexpected<Error>(made.error());
   return &slot;
-}
-
-void Renderer::Impl::drawShadows(const Scene& scene, const View& view) const {
-  for (const LayerSpan& layer : scene.layers) {
-    const std::size_t count = countIn(layer, *scene.frame);
-    const double strength = shadowStrength(layer.form);
-    if (count > 0 && strength > 0.0) shadow.draw(view, frame, layer.first, count, scene.ground_height_m, strength);
-  }
-}
-
-void Renderer::Impl::drawOpaque(const Scene& scene, const View& view, const GroundLevel& ground) {
-  for (const LayerSpan& layer : scene.layers)
-    if (const std::size_t count = countIn(layer, *scene.frame); count > 0 && !isSoft(layer.form))
-      solid.drawOpaque(view, layer.form, frame, layer.first, count, ground);
-}
-
-Expected<void> Renderer::Impl::drawBlended(const Scene& scene, const View& view, const GroundLevel& ground) {
-  order.sort(*scene.frame, scene.layers, view);
-  if (order.instances().empty()) return {};
-  blended.upload(order.instances());
-  for (const BlendOrder::Run& run : order.runs()) {
-    if (!isSoft(run.form)) {
-      solid.drawBlended(view, run.form, blended, run.first, run.count, ground);
-      continue;
-    }
-    if (!soft) {
-      auto pass = SoftPass::create();
-      if (!pass) return tl::unexpected<Error>(pass.error());
-      soft = std::move(*pass);
-    }
-    soft->draw(view, blended, run.first, run.count, ground);
-  }
-  return {};
 }
 
 void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const {
@@ -158,11 +96,13 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   if (!mask.empty()) {
     if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
     finish.clear(tiles);
-    frame.upload(*scene.frame);
-    const GroundLevel ground{scene.ground_height_m, outdoors};
-    if (shadows) drawShadows(scene, view);
-    drawOpaque(scene, view, ground);
-    if (auto drawn = drawBlended(scene, view, ground); !drawn) return drawn;
+    effects.upload(*scene.frame);
+    GroundLevel ground;
+    ground.height_m = scene.ground_height_m;
+    ground.solid = ground.fades = outdoors;
+    if (shadows) effects.drawShadows(*scene.frame, scene.layers, view, ground);
+    effects.drawOpaque(*scene.frame, scene.layers, view, ground);
+    if (auto drawn = effects.drawBlended(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
   }
   if (outdoors) finish.drawOverBackdrop(target, tiles);
   else finish.drawOverColour(target, tiles, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr);
@@ -188,6 +128,19 @@ Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
   return drawnWithoutError();
 }
 
+Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot) {
+  Target& target = slot.target;
+  if (auto begun = target.beginEffect(view.smooth); !begun) return begun;
+  mask.reset(target.width(), target.height());
+  mask.markAll();
+  tiles.upload(mask);
+  finish.clear(tiles);
+  if (auto drawn = scene.draw(effects, recording, time_s, view, target.width(), target.height()); !drawn) return drawn;
+  const Colour black;
+  finish.drawOverColour(target, tiles, &black);
+  return drawnWithoutError();
+}
+
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
   auto impl = std::make_unique<Impl>();
   const auto take = [](auto made, auto& slot) -> Expected<void> {
@@ -196,8 +149,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
     return {};
   };
   if (auto done = take(BackdropPass::create(), impl->backdrop); !done) return tl::unexpected<Error>(done.error());
-  if (auto done = take(SolidPass::create(), impl->solid); !done) return tl::unexpected<Error>(done.error());
-  if (auto done = take(ShadowPass::create(), impl->shadow); !done) return tl::unexpected<Error>(done.error());
+  if (auto done = take(EffectPasses::create(), impl->effects); !done) return tl::unexpected<Error>(done.error());
   if (auto done = take(FinishPass::create(), impl->finish); !done) return tl::unexpected<Error>(done.error());
   return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
@@ -240,6 +192,21 @@ Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int
   Image image;
   readBack((*sized)->target, image);
   return image;
+}
+
+Expected<unsigned> Renderer::drawToTexture(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, int slot) {
+  const auto sized = impl_->sized(slot, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, recording, time_s, view, **sized); !drawn) return tl::unexpected<Error>(drawn.error());
+  return (*sized)->target.finished();
+}
+
+Expected<void> Renderer::drawToImage(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, Image& image) {
+  const auto sized = impl_->sized(2, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  if (auto drawn = impl_->draw(scene, recording, time_s, view, **sized); !drawn) return drawn;
+  readBack((*sized)->target, image);
+  return {};
 }
 
 }  // namespace npsee::render

@@ -11,7 +11,14 @@
 #include <memory>
 #include <span>
 
+namespace npsee {
+struct Recording;
+}
+
 namespace npsee::render {
+
+class MissionScene;
+struct MissionView;
 
 /// What lies behind the particles.
 struct Background {
@@ -63,6 +70,10 @@ class Renderer {
   /// The same into `image`, whose memory is used again.
   Expected<void> drawToImage(const Scene& scene, const Camera& camera, int width, int height, Image& image);
   Expected<Image> drawToImage(const TemplateScene& scene, int width, int height);
+
+  /// A mission at a moment; see mission_scene.h for the contract.
+  Expected<unsigned> drawToTexture(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, int slot = 2);
+  Expected<void> drawToImage(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, Image& image);
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/frame_upload.h"
+#include "app/render/ground_level.h"
 #include "app/render/view.h"
 
 namespace npsee::render {
@@ -11,7 +12,7 @@ class ShadowPass {
   static Expected<ShadowPass> create();
 
   /// `strength` is the darkness under a solid form, 0..1.
-  void draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, double ground_m, double strength) const;
+  void draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, double strength) const;
 
  private:
   gl::Program program_;

@@ -35,28 +35,39 @@ Rows perspective(const View& view, double tan_x, double tan_y, double near_m, do
 
 }  // namespace
 
-View makeView(const Camera& camera, int width, int height) {
+View makeView(const Lens& lens, int width, int height) {
   View view;
-  view.eye = camera.eye;
-  view.distance_m = std::max(length(camera.target - camera.eye), 1e-3);
-  view.back = unit(camera.eye - camera.target, {0.0, 0.0, 1.0});
-  // Looking straight up or down, north (-z) is up in the picture.
-  const Vec3 upward = std::abs(view.back.y) > 0.99999 ? Vec3{0.0, 0.0, -1.0} : Vec3{0.0, 1.0, 0.0};
-  view.right = unit(cross(upward, view.back), {1.0, 0.0, 0.0});
-  view.up = cross(view.back, view.right);
-
-  const double tan_y = std::tan(0.5 * camera.fov_y_rad);
+  view.eye = lens.eye;
+  view.right = lens.right;
+  view.up = lens.up;
+  view.back = lens.back;
+  const double tan_y = std::tan(0.5 * lens.fov_y_rad);
   const double tan_x = tan_y * width / height;
   view.metre_per_pixel = 2.0 * tan_y / height;
   view.ray_x = view.metre_per_pixel * view.right;
   view.ray_y = view.metre_per_pixel * view.up;
   view.ray_origin = -0.5 * width * view.ray_x + (-0.5 * height) * view.ray_y - view.back;
-
-  // The near plane follows the distance, so that depth keeps its precision where the effect is.
-  const double near_m = std::clamp(0.01 * view.distance_m, 0.02, 20.0);
-  const Rows rows = perspective(view, tan_x, tan_y, near_m, 1e6 * near_m);
+  const Rows rows = perspective(view, tan_x, tan_y, lens.near_m, lens.far_m);
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) view.view_projection[4 * column + row] = static_cast<float>(rows.m[row][column]);
+  return view;
+}
+
+View makeView(const Camera& camera, int width, int height) {
+  Lens lens;
+  lens.eye = camera.eye;
+  lens.back = unit(camera.eye - camera.target, {0.0, 0.0, 1.0});
+  // Looking straight up or down, north (-z) is up in the picture.
+  const Vec3 upward = std::abs(lens.back.y) > 0.99999 ? Vec3{0.0, 0.0, -1.0} : Vec3{0.0, 1.0, 0.0};
+  lens.right = unit(cross(upward, lens.back), {1.0, 0.0, 0.0});
+  lens.up = cross(lens.back, lens.right);
+  lens.fov_y_rad = camera.fov_y_rad;
+  // The near plane follows the distance, so that depth keeps its precision where the effect is.
+  const double distance_m = std::max(length(camera.target - camera.eye), 1e-3);
+  lens.near_m = std::clamp(0.01 * distance_m, 0.02, 20.0);
+  lens.far_m = 1e6 * lens.near_m;
+  View view = makeView(lens, width, height);
+  view.distance_m = distance_m;
   return view;
 }
 
@@ -79,7 +90,12 @@ void setView(const gl::Program& program, const View& view) {
 void setGround(const gl::Program& program, const View& view, const GroundLevel& ground) {
   const double side = !ground.solid ? 0.0 : view.eye.y >= ground.height_m ? 1.0 : -1.0;
   program.set("u_ground", static_cast<float>(ground.height_m));
+  program.set("u_slope", static_cast<float>(ground.slope_x), static_cast<float>(ground.slope_z));
   program.set("u_clip", static_cast<float>(side), static_cast<float>(ground.height_m));
+  program.set("u_fade", ground.fades ? 1.0f : 0.0f);
+  program.set("u_dimmed", static_cast<float>(ground.dimmed));
+  program.set("u_haze_extinction", static_cast<float>(ground.extinction_per_m));
+  setVec3(program, "u_haze_colour", ground.haze);
   if (ground.solid) glEnable(GL_CLIP_DISTANCE0);
   else glDisable(GL_CLIP_DISTANCE0);
 }

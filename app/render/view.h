@@ -19,6 +19,15 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
+/// A camera given by its axes and planes instead of a reference point.
+struct Lens {
+  Vec3 eye;
+  Vec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, back{0.0, 0.0, 1.0};  ///< unit vectors; back is towards the eye
+  double fov_y_rad = 0.7;
+  double near_m = 0.5, far_m = 4e5;
+};
+View makeView(const Lens& lens, int width, int height);
+
 /// View of a picture of `width` x `height` pixels.
 View makeView(const Camera& camera, int width, int height);
 

@@ -1,0 +1,75 @@
+#include "app/render/effect_passes.h"
+
+#include "app/render/meshes.h"
+
+#include <algorithm>
+
+namespace npsee::render {
+namespace {
+
+/// Darkness of the shadow under a form; light throws none.
+double shadowStrength(Form form) {
+  switch (form) {
+    case Form::tetrahedron:
+    case Form::disc:
+    case Form::sphere:
+    case Form::shard: return 0.62;
+    case Form::smoke: return 0.22;
+    case Form::streak:
+    case Form::fire:
+    case Form::flash: break;
+  }
+  return 0.0;
+}
+
+/// The span cut to the particles the frame really holds.
+std::size_t countIn(const LayerSpan& layer, const Frame& frame) {
+  return layer.first >= frame.count ? 0 : std::min(layer.count, frame.count - layer.first);
+}
+
+}  // namespace
+
+Expected<EffectPasses> EffectPasses::create() {
+  EffectPasses passes;
+  auto solid = SolidPass::create();
+  if (!solid) return tl::unexpected<Error>(solid.error());
+  auto shadow = ShadowPass::create();
+  if (!shadow) return tl::unexpected<Error>(shadow.error());
+  passes.solid_ = std::move(*solid);
+  passes.shadow_ = std::move(*shadow);
+  return passes;
+}
+
+void EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) const {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t count = countIn(layer, frame);
+    const double strength = shadowStrength(layer.form);
+    if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
+  }
+}
+
+void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  for (const LayerSpan& layer : layers)
+    if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
+}
+
+Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  order_.sort(frame, layers, view);
+  if (order_.instances().empty()) return {};
+  blended_.upload(order_.instances());
+  for (const BlendOrder::Run& run : order_.runs()) {
+    if (!isSoft(run.form)) {
+      solid_.drawBlended(view, run.form, blended_, run.first, run.count, ground);
+      continue;
+    }
+    if (!soft_) {
+      auto pass = SoftPass::create();
+      if (!pass) return tl::unexpected<Error>(pass.error());
+      soft_ = std::move(*pass);
+    }
+    soft_->draw(view, blended_, run.first, run.count, ground);
+  }
+  return {};
+}
+
+}  // namespace npsee::render

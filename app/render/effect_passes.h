@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/render/blend_order.h"
+#include "app/render/shadow_pass.h"
+#include "app/render/soft_pass.h"
+#include "app/render/solid_pass.h"
+
+#include <optional>
+#include <span>
+
+namespace npsee::render {
+
+/// The passes that draw an explosion's particles into the bound framebuffer, in three steps: shadows under everything, opaque
+/// forms, then what is blended, from back to front.
+class EffectPasses {
+ public:
+  static Expected<EffectPasses> create();
+
+  /// Hands the frame to GL; the other calls draw the frame uploaded last.
+  void upload(const Frame& frame) { frame_.upload(frame); }
+  void drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) const;
+  void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+
+ private:
+  SolidPass solid_;
+  ShadowPass shadow_;
+  std::optional<SoftPass> soft_;  // compiled when a picture needs it: start-up time counts
+  FrameUpload frame_;
+  BlendedUpload blended_;
+  BlendOrder order_;
+};
+
+}  // namespace npsee::render

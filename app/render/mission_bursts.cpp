@@ -1,0 +1,164 @@
+#include "app/render/mission_bursts.h"
+
+#include "app/render/meshes.h"
+#include "app/render/mission_scene.h"
+#include "app/render/mission_smoke.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace npsee::render {
+namespace {
+
+/// Memory that compiled explosions may take, bytes, and how long ago a burst may be to be looked at, s.
+constexpr std::size_t kMostBytes = 192u << 20;
+constexpr double kLongest_s = 300.0;
+/// Solid pieces of a layer that are drawn at least, and per pixel of the burst's radius: a far burst needs few.
+constexpr double kLeastPieces = 120.0, kPiecesPerPixel = 14.0;
+/// A burst this far above the ground is in the air, m.
+constexpr double kAirBurst_m = 2.0;
+/// Explosions outside the picture by more than this are not compiled, m.
+constexpr double kReach_m = 400.0;
+
+/// The terrain as seen from a burst, which is its origin. Pieces fall on the sea as on land.
+class PlacedGround final : public Ground {
+ public:
+  PlacedGround(const Terrain& terrain, const Vec3& at) : terrain_(terrain), at_(at) {}
+  double height(double x, double z) const override { return terrain_.surface(x + at_.x, z + at_.z) - at_.y; }
+  double detail() const override { return terrain_.detail(); }
+  bool flat() const override { return terrain_.flat(); }
+
+ private:
+  const Terrain& terrain_;
+  Vec3 at_;
+};
+
+/// The preset as it bursts there: in the air, or on the ground; in the mission's wind where that has one.
+Preset placed(const Preset& preset, double height_m, const Vec3& wind) {
+  Preset out = preset;
+  if (height_m > kAirBurst_m) {
+    out.burst = BurstKind::air;
+    out.burst_height_m = height_m;
+  }
+  if (length(wind) > 0.0) out.wind_mps = wind;
+  return out;
+}
+
+bool mayBeSeen(const MissionEye& eye, const Vec3& at, double radius_m) {
+  const Vec3 from = at - eye.lens.eye;
+  const double depth = -dot(eye.lens.back, from);
+  if (depth < -radius_m) return false;
+  const double tan_y = std::tan(0.5 * eye.lens.fov_y_rad), tan_x = tan_y * eye.width / eye.height;
+  return std::abs(dot(eye.lens.right, from)) < std::max(depth, 0.0) * tan_x + radius_m * (1.0 + tan_x) && std::abs(dot(eye.lens.up, from)) < std::max(depth, 0.0) * tan_y + radius_m * (1.0 + tan_y);
+}
+
+}  // namespace
+
+std::shared_ptr<const Preset> MissionBursts::presetOf(const Recording& recording, const ShellRecord& shell, const MissionView& view) {
+  for (const int number : {shell.number, 0})
+    if (const auto found = view.presets.find(number); found != view.presets.end() && found->second != nullptr) return found->second;
+  return shelf_.find(shell.preset, recording.scenario.folder);
+}
+
+std::shared_ptr<const Explosion> MissionBursts::compiledFor(const Recording& recording, const Key& key, int threads) {
+  const auto found = std::ranges::find(kept_, key, &Kept::key);
+  if (found != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, found);
+    return found->explosion;
+  }
+  const PlacedGround ground(recording.terrain, key.at);
+  auto explosion = Explosion::compile(placed(*key.preset, -ground.height(0.0, 0.0), key.wind), key.seed, &ground, {.threads = threads});
+  kept_.push_front({key, explosion ? *explosion : nullptr});
+  if (kept_.front().explosion) kept_bytes_ += kept_.front().explosion->memoryBytes();
+  while (kept_bytes_ > kMostBytes && kept_.size() > 1) {
+    if (kept_.back().explosion) kept_bytes_ -= kept_.back().explosion->memoryBytes();
+    kept_.pop_back();
+  }
+  return kept_.front().explosion;
+}
+
+MissionBursts::Drawn& MissionBursts::next() {
+  if (spare_.empty()) spare_.emplace_back();
+  bursts_.push_back(std::move(spare_.back()));
+  spare_.pop_back();
+  return bursts_.back();
+}
+
+void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shell, double time_s, const MissionView& view, const MissionEye& eye) {
+  const Key key{presetOf(recording, shell, view), shell.seed, shell.burst_m, recording.scenario.world.weather.wind_mps};
+  const double age = time_s - shell.burst_s;
+  if (age > longestDuration(*key.preset) || !mayBeSeen(eye, shell.burst_m, kReach_m)) return;
+  const auto explosion = compiledFor(recording, key, view.threads);
+  if (explosion == nullptr || age > explosion->duration_s()) return;
+  const Extent& extent = explosion->extent();
+  const Vec3 centre = shell.burst_m + extent.centre();
+  if (!mayBeSeen(eye, centre, extent.radius_m() + 5.0)) return;
+
+  Drawn& drawn = next();
+  drawn.origin = shell.burst_m;
+  drawn.layers = explosion->layers();
+  drawn.depth_m = -dot(eye.lens.back, centre - eye.lens.eye);
+  explosion->at(age, drawn.frame, kVelocity | kLook | kOrientation, view.threads);
+  // Pieces of a layer are independent draws, so its first ones are a fair sample of all.
+  const double metre_per_pixel = 2.0 * std::tan(0.5 * eye.lens.fov_y_rad) / eye.height * std::max(drawn.depth_m, 1.0);
+  const double pieces = kLeastPieces + kPiecesPerPixel * extent.radius_m() / metre_per_pixel;
+  for (LayerSpan& layer : drawn.layers)
+    if (!isSoft(layer.form) && static_cast<double>(layer.count) > pieces) layer.count = static_cast<std::size_t>(pieces);
+  drawn.ground = groundAt(recording.terrain, shell.burst_m, eye.lens.eye, light_);
+}
+
+void MissionBursts::prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light) {
+  if (ground_ != recording.terrain.heights().data()) {
+    kept_.clear();
+    kept_bytes_ = 0;
+    ground_ = recording.terrain.heights().data();
+  }
+  for (Drawn& drawn : bursts_) spare_.push_back(std::move(drawn));
+  bursts_.clear();
+  light_ = light;
+  std::vector<int> recent;
+  recording.burstsSince(time_s, kLongest_s, recent);
+  // The youngest first; ties by number.
+  std::ranges::sort(recent, [&](int a, int b) {
+    const ShellRecord &first = recording.shells[static_cast<std::size_t>(a)], &second = recording.shells[static_cast<std::size_t>(b)];
+    return first.burst_s != second.burst_s ? first.burst_s > second.burst_s : a < b;
+  });
+  for (const int index : recent) {
+    if (bursts_.size() >= kMostBursts) break;
+    const ShellRecord& shell = recording.shells[static_cast<std::size_t>(index)];
+    if (!shell.illumination) addBurst(recording, shell, time_s, view, eye);
+  }
+  for (Smoke& smoke : missionSmoke(recording, time_s, eye)) {
+    Drawn& drawn = next();
+    drawn.origin = smoke.origin;
+    drawn.frame = std::move(smoke.frame);
+    drawn.layers = std::move(smoke.layers);
+    drawn.ground = groundAt(recording.terrain, smoke.origin, eye.lens.eye, light_);
+    drawn.depth_m = -dot(eye.lens.back, smoke.origin - eye.lens.eye);
+  }
+  std::ranges::stable_sort(bursts_, [](const Drawn& a, const Drawn& b) { return a.depth_m > b.depth_m; });
+}
+
+void MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye& eye) {
+  for (const Drawn& drawn : bursts_) {
+    const View view = eye.viewFrom(drawn.origin);
+    effects.upload(drawn.frame);
+    if (!light_.night && drawn.ground.height_m > -60.0) effects.drawShadows(drawn.frame, drawn.layers, view, drawn.ground);
+    effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground);
+  }
+}
+
+Expected<void> MissionBursts::drawBlended(EffectPasses& effects, const MissionEye& eye) {
+  for (const Drawn& drawn : bursts_)
+    if (auto done = effects.drawBlended(drawn.frame, drawn.layers, eye.viewFrom(drawn.origin), drawn.ground); !done) return done;
+  return {};
+}
+
+std::size_t MissionBursts::particles() const {
+  std::size_t sum = 0;
+  for (const Drawn& drawn : bursts_)
+    for (const LayerSpan& layer : drawn.layers) sum += layer.count;
+  return sum;
+}
+
+}  // namespace npsee::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/render/mission_camera.h"
+#include "app/render/model_pass.h"
+
+#include <npsee/recording.h>
+
+#include <vector>
+
+namespace npsee::render {
+
+struct MissionView;
+
+/// Colours by which the sides are told, sRGB-coded.
+Colour sideColour(Side side);
+Colour sidePaint(Side side);
+
+/// Factor by which something of that length is enlarged to be seen at a depth.
+double enlargement(const MissionEye& eye, double length_m, double depth_m, double least_px);
+
+/// Vehicles, guns, shells and observers at a moment, as models. What is not in the picture is left out.
+std::vector<ModelInstance> missionModels(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
+
+/// Size of a vehicle's model on the ground, m, before enlarging.
+double drawnLength(const VehicleType& type);
+
+}  // namespace npsee::render
