@@ -15,6 +15,7 @@ void addAll(CLI::App& app, Outcome& outcome) {
   addTable(app, outcome);
   addAim(app, outcome);
   addWeapons(app, outcome);
+  addReplay(app, outcome);
 }
 
 }  // namespace npsee::commands

@@ -60,6 +60,13 @@ Expected<Weapons> missionWeapons(const Scenario& scenario) {
   return parseWeapons(text->text, text->name);
 }
 
+BatterySetup missionBattery(const Scenario& scenario, std::size_t battery) {
+  BatterySetup out = scenario.batteries[battery];
+  // A dot or a slash makes it a file, as it does for the ballistics library.
+  if (out.projectile.find_first_of("./\\") != std::string::npos) out.projectile = (scenario.folder / out.projectile).string();
+  return out;
+}
+
 TerrainSource missionTerrain(const Scenario& scenario) {
   TerrainSource source = scenario.world.terrain;
   if (!source.file.empty()) source.file = scenario.folder / source.file;

@@ -31,6 +31,9 @@ Expected<NamedText> readNamed(const std::filesystem::path& folder, const std::fi
 /// The mission's weapons.dat, or the shipped one. Error kind input.
 Expected<Weapons> missionWeapons(const Scenario& scenario);
 
+/// A battery of the mission with its projectile's path made ready to open, where it names a file.
+BatterySetup missionBattery(const Scenario& scenario, std::size_t battery);
+
 /// The terrain with its file's path made ready to open.
 TerrainSource missionTerrain(const Scenario& scenario);
 
