@@ -30,6 +30,7 @@ void addFly(CLI::App& app, Outcome& outcome);
 void addTable(CLI::App& app, Outcome& outcome);
 void addAim(CLI::App& app, Outcome& outcome);
 void addWeapons(CLI::App& app, Outcome& outcome);
+void addMission(CLI::App& app, Outcome& outcome);
 void addReplay(CLI::App& app, Outcome& outcome);
 
 /// Adds all of the above, in the order of `npsee --help`.

@@ -9,6 +9,7 @@ void addAll(CLI::App& app, Outcome& outcome) {
   addRender(app, outcome);
   addCompare(app, outcome);
   addParticles(app, outcome);
+  addMission(app, outcome);
   addCheck(app, outcome);
   addParams(app, outcome);
   addFly(app, outcome);

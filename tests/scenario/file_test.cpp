@@ -282,7 +282,7 @@ TEST(MissionMessages, OfClauses) {
   EXPECT_TRUE(contains(clause(R"({"event":"fire","gan":"gun1"})"), "/expect/0/gan: events of the kind fire have no such key.\n  Did you mean gun?"));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","position":[1,2,3]})"), "/expect/0/position: position is a place, which a clause cannot compare."));
   EXPECT_TRUE(contains(clause(R"({"event":"spot","observed":"no"})"), "/expect/0/observed: observed is \"no\", but must be true or false."));
-  EXPECT_TRUE(contains(clause(R"({"event":"lost","within":{"of":"x","m":1}})"), "/expect/0/within: events of the kind lost have no position to be within of."));
+  EXPECT_TRUE(contains(clause(R"({"event":"end_of_mission","within":{"of":"x","m":1}})"), "/expect/0/within: events of the kind end_of_mission have no position to be within of."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","gun":[1]})"), "/expect/0/gun: gun is [1], but must be a text."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","t":{"mim":1}})"), "/expect/0/t: t is {\"mim\":1}, but must be a number or {\"min\": A, \"max\": B}."));
   EXPECT_TRUE(contains(clause(R"({"event":"fire","within":{"of":"x"}})"), "/expect/0/within: within is {\"of\":\"x\"}, but must be {\"of\": \"t72-1\", \"m\": 60}."));

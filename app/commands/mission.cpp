@@ -1,0 +1,126 @@
+#include "app/commands/command.h"
+#include "app/commands/mission_statistics.h"
+#include "sim/core/parallel.h"
+
+#include <npsee/mission.h>
+#include <npsee/units.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace npsee::commands {
+namespace {
+
+struct Options {
+  std::string file, until, seed, format = "text";
+  std::vector<std::string> settings;
+  bool expect = false, quiet = false;
+  int monte_carlo = 0, jobs = 0;
+};
+
+constexpr int kMaxRuns = 1'000'000;
+
+Expected<Scenario> chosenScenario(const Options& options) {
+  auto scenario = loadScenario(options.file);
+  if (!scenario) return scenario;
+  for (const std::string& setting : options.settings)
+    if (auto applied = applySetting(*scenario, setting); !applied) return tl::unexpected(applied.error());
+  if (!options.seed.empty()) {
+    const char* end = options.seed.data() + options.seed.size();
+    std::int64_t seed = 0;
+    const auto read = std::from_chars(options.seed.data(), end, seed);
+    if (read.ec != std::errc{} || read.ptr != end || seed < 0 || seed > (std::int64_t{1} << 53))
+      return fail(ErrorKind::usage, "--seed " + options.seed + " is no whole number from 0 to 9007199254740992.");
+    scenario->seed = seed;
+  }
+  if (auto faults = validate(*scenario); !faults.empty()) {
+    for (Fault& fault : faults) fault.file = options.file;
+    return tl::unexpected(Error{options.settings.empty() ? ErrorKind::input : ErrorKind::usage, std::move(faults)});
+  }
+  return scenario;
+}
+
+/// A broken file that the mission names is told before anything is simulated; an error while simulating is in the log.
+int exitOf(const Recording& recording) {
+  for (const MissionEvent& event : recording.events)
+    if (event.kind == EventKind::error) {
+      std::fprintf(stderr, "at %.2f s: %s\n", event.t_s, printable(event.text("text")).c_str());
+      return exitCode(ErrorKind::input);
+    }
+  return 0;
+}
+
+int runOnce(const Options& options, const Scenario& scenario, std::optional<double> until) {
+  const auto recording = runMission(scenario, until);
+  if (!recording) return report(recording.error());
+  if (!options.quiet)
+    if (const int code = writeResult(eventLog(*recording)); code != 0) return code;
+  if (const int code = exitOf(*recording); code != 0) return code;
+  if (!options.expect) return 0;
+  const auto unmet = unmetExpectations(*recording);
+  for (const std::string& sentence : unmet) std::fprintf(stderr, "%s\n", sentence.c_str());
+  if (unmet.empty()) std::fprintf(stderr, "All %zu expectations are met.\n", scenario.expect.size());
+  return unmet.empty() ? 0 : 1;
+}
+
+/// Runs with seeds from the scenario's own upward, spread over threads; results stand by seed, so the table does not depend on them.
+int runMany(const Options& options, const Scenario& scenario, std::optional<double> until) {
+  const auto runs = static_cast<std::size_t>(options.monte_carlo);
+  std::vector<MissionOutcome> outcomes(runs);
+  std::vector<std::optional<Error>> errors(runs);
+  const int threads = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  parallelFor(threads, runs, [&](std::size_t i) {
+    Scenario one = scenario;
+    one.seed += static_cast<std::int64_t>(i);
+    const auto recording = runMission(one, until);
+    if (recording) outcomes[i] = outcomeOf(*recording);
+    else errors[i] = recording.error();
+  });
+  for (const auto& error : errors)
+    if (error) return report(*error);
+  if (const int code = writeResult(options.format == "json" ? statisticsJson(outcomes) : statisticsText(outcomes)); code != 0) return code;
+  if (!options.expect) return 0;
+  return std::all_of(outcomes.begin(), outcomes.end(), [](const MissionOutcome& o) { return o.expectations_met; }) ? 0 : 1;
+}
+
+int run(const Options& options) {
+  std::optional<double> until;
+  if (!options.until.empty()) {
+    const auto time = parseQuantity(options.until, Unit::second);
+    if (!time || *time < 0.0) return report({ErrorKind::usage, {{.what = "--until " + options.until + " is no time in seconds.", .remedy = "For example --until 120.", .file = {}, .line = 0, .pointer = {}}}});
+    until = *time;
+  }
+  if (options.monte_carlo < 0 || options.monte_carlo > kMaxRuns)
+    return report({ErrorKind::usage, {{.what = "--monte-carlo takes 1 to " + std::to_string(kMaxRuns) + " runs.", .remedy = {}, .file = {}, .line = 0, .pointer = {}}}});
+  const auto scenario = chosenScenario(options);
+  if (!scenario) return report(scenario.error());
+  return options.monte_carlo > 0 ? runMany(options, *scenario, until) : runOnce(options, *scenario, until);
+}
+
+}  // namespace
+
+void addMission(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("mission", "Run a fire mission without a display: the event log as JSON lines");
+  command->add_option("FILE", options->file, "Mission file (*.mission.json)")->required();
+  command->add_option("--until", options->until, "Stop at this time of the mission, s")->type_name("T");
+  addChangeOptions(*command, options->settings, options->seed);
+  command->add_flag("--expect", options->expect, "Check the mission's `expect` clauses; exit 1 and name those that are not met");
+  command->add_option("--monte-carlo", options->monte_carlo, "Run with N seeds from the mission's own upward and print a summary instead of the log")->type_name("N");
+  command->add_option("--jobs", options->jobs, "Threads of --monte-carlo; 0 = one per core")->check(CLI::Range(0, 1024))->type_name("N");
+  command->add_option("--format", options->format, "Summary of --monte-carlo as text or json")->check(CLI::IsMember({"text", "json"}))->type_name("FORMAT");
+  command->add_flag("--quiet", options->quiet, "Do not print the log");
+  command->footer("Every line has t (s) and ev; the line `end` closes the log with its hash: same mission, seed and program, same hash.\n"
+                  "Examples:\n  npsee mission assets/missions/thesis_default.mission.json --expect\n"
+                  "  npsee mission assets/missions/ridge_high_angle.mission.json --set fdc.trajectory=low --until 120\n"
+                  "  npsee mission assets/missions/foggy_night.mission.json --monte-carlo 200");
+  command->callback([options, &outcome] { outcome.exit_code = run(*options); });
+}
+
+}  // namespace npsee::commands

@@ -1,0 +1,230 @@
+#include <npsee/mission.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace npsee {
+namespace {
+
+/// One observer, one battery of three howitzers, one tank 2.5 km from him, on flat ground.
+Scenario duel() {
+  Scenario sc;
+  sc.name = "duel";
+  sc.duration_s = 300.0;
+  sc.world.size_x_m = sc.world.size_z_m = 30000.0;
+  sc.world.sea_level_m = -10.0;
+  VehicleSetup tank;
+  tank.id = "tank";
+  tank.type = 51;
+  tank.at = {15000, 10000};
+  sc.vehicles.push_back(tank);
+  BatterySetup battery;
+  battery.id = "alpha";
+  battery.projectile = "m107";
+  battery.charges = {"3W"};
+  battery.guns = {{"a1", {10000, 10000}}, {"a2", {10000, 10050}}, {"a3", {10000, 10100}}};
+  sc.batteries.push_back(battery);
+  ObserverSetup observer;
+  observer.id = "fo";
+  observer.at = {12500, 10000};
+  observer.missions = {{MissionAction::destroy, 51}};
+  sc.observers.push_back(observer);
+  return sc;
+}
+
+std::vector<const MissionEvent*> eventsOf(const Recording& recording, EventKind kind) {
+  std::vector<const MissionEvent*> out;
+  for (const MissionEvent& event : recording.events)
+    if (event.kind == kind) out.push_back(&event);
+  return out;
+}
+
+Recording ran(const Scenario& scenario, const std::vector<MissionCommand>& commands = {}) {
+  auto recording = runMission(scenario, {}, commands);
+  EXPECT_TRUE(recording.has_value()) << (recording ? "" : recording.error().text());
+  return recording ? std::move(*recording) : Recording{};
+}
+
+TEST(MissionEngine, AStaticTargetInPlainSightIsFoundFiredAtAndDestroyed) {
+  const Recording recording = ran(duel());
+  ASSERT_FALSE(eventsOf(recording, EventKind::contact).empty());
+  ASSERT_FALSE(eventsOf(recording, EventKind::call).empty());
+  const auto destroyed = eventsOf(recording, EventKind::destroyed);
+  ASSERT_EQ(destroyed.size(), 1u) << eventLog(recording);
+  EXPECT_EQ(destroyed.front()->text("target"), "tank");
+  ASSERT_FALSE(eventsOf(recording, EventKind::end_of_mission).empty());
+  EXPECT_EQ(eventsOf(recording, EventKind::end_of_mission).front()->text("result"), "destroyed");
+  EXPECT_EQ(recording.events.back().kind, EventKind::end);
+  EXPECT_TRUE(recording.finished);
+}
+
+TEST(MissionEngine, EveryDecisionNamesItsRuleAndFacts) {
+  const Recording recording = ran(duel());
+  for (const EventKind kind : {EventKind::call, EventKind::end_of_mission})
+    for (const MissionEvent* event : eventsOf(recording, kind)) {
+      EXPECT_FALSE(event->text("rule").empty()) << eventJson(*event);
+      const auto* facts = event->find("facts");
+      ASSERT_NE(facts, nullptr);
+      EXPECT_FALSE(std::get<std::vector<std::string>>(*facts).empty()) << eventJson(*event);
+    }
+}
+
+TEST(MissionEngine, TheLogIsInOrderOfTimeAndKeepsToItsSchema) {
+  const Recording recording = ran(duel());
+  double before = 0.0;
+  for (const MissionEvent& event : recording.events) {
+    EXPECT_GE(event.t_s, before - kMissionTick_s) << eventJson(event);
+    before = std::max(before, event.t_s);
+    const std::string_view name = eventKindNames()[static_cast<std::size_t>(event.kind)];
+    for (const auto& [key, value] : event.fields) {
+      const bool listed = std::any_of(eventSchema().begin(), eventSchema().end(), [&](const EventKey& row) { return row.event == name && row.key == key; });
+      EXPECT_TRUE(listed) << name << " has the key " << key << ", which the schema does not list";
+    }
+  }
+}
+
+TEST(MissionEngine, EachDetonationHasItsFireAndLandsWhereItsPathEnds) {
+  const Recording recording = ran(duel());
+  std::map<std::int64_t, double> fired;
+  for (const MissionEvent* event : eventsOf(recording, EventKind::fire)) fired[static_cast<std::int64_t>(event->number("shell"))] = event->t_s;
+  const auto detonations = eventsOf(recording, EventKind::detonation);
+  ASSERT_FALSE(detonations.empty());
+  for (const MissionEvent* event : detonations) {
+    const auto number = static_cast<std::int64_t>(event->number("shell"));
+    ASSERT_TRUE(fired.contains(number));
+    const ShellRecord& shell = recording.shells[static_cast<std::size_t>(number - 1)];
+    EXPECT_EQ(shell.fired_s, fired[number]);
+    EXPECT_NEAR(event->t_s - fired[number], shell.path.flight().time_of_flight_s, 1e-9);
+    const Vec3 end = shell.at(event->t_s);
+    EXPECT_EQ(end.x, event->place()->x);
+    EXPECT_EQ(end.z, event->place()->z);
+    EXPECT_NEAR(end.y, recording.terrain.height(end.x, end.z), 0.5);
+  }
+}
+
+TEST(MissionEngine, GunsKeepToTheirReloadTimeAndToTheirRounds) {
+  Scenario sc = duel();
+  sc.batteries[0].rounds = 2;
+  sc.batteries[0].pe_range_m = 400.0;  // so that the tank lives on
+  sc.batteries[0].pe_deflection_m = 400.0;
+  sc.duration_s = 900.0;
+  const Recording recording = ran(sc);
+  std::map<std::string, std::vector<double>> shots;
+  for (const MissionEvent* event : eventsOf(recording, EventKind::fire)) shots[event->text("gun")].push_back(event->t_s);
+  ASSERT_FALSE(shots.empty());
+  for (const auto& [gun, times] : shots) {
+    EXPECT_LE(times.size(), 2u) << gun;
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GE(times[i] - times[i - 1], sc.batteries[0].reload_time_s - 1e-9) << gun;
+    EXPECT_GE(times.front(), sc.batteries[0].lay_time_s) << gun;
+  }
+}
+
+TEST(MissionEngine, TheSameSeedGivesTheSameLogAndAnotherSeedAnother) {
+  Scenario sc = duel();
+  sc.batteries[0].pe_range_m = 15.0;
+  sc.batteries[0].pe_deflection_m = 4.0;
+  const std::string log = eventLog(ran(sc));
+  EXPECT_EQ(eventLog(ran(sc)), log);
+  sc.seed = 7;
+  EXPECT_NE(eventLog(ran(sc)), log);
+}
+
+TEST(MissionEngine, AdvancingInSmallPiecesIsTheSameAsAllAtOnce) {
+  const Scenario sc = duel();
+  auto mission = Mission::make(sc);
+  ASSERT_TRUE(mission.has_value()) << mission.error().text();
+  for (double t = 0.0; t < sc.duration_s + 1.0; t += 0.37) mission->advance(t);
+  EXPECT_TRUE(mission->finished());
+  EXPECT_EQ(eventLog(mission->recording()), eventLog(ran(sc)));
+}
+
+TEST(MissionEngine, AnEmptyWorldRunsToItsEnd) {
+  Scenario sc;
+  sc.duration_s = 5.0;
+  const Recording recording = ran(sc);
+  ASSERT_EQ(recording.events.size(), 1u) << eventLog(recording);
+  EXPECT_EQ(recording.events.front().kind, EventKind::end);
+  EXPECT_EQ(recording.events.front().t_s, 5.0);
+}
+
+TEST(MissionEngine, GunsOutOfRangeRefuseWithTheReason) {
+  Scenario sc = duel();
+  for (GunSetup& gun : sc.batteries[0].guns) gun.at = {1000, 1000};
+  const Recording recording = ran(sc);
+  const auto refusals = eventsOf(recording, EventKind::refuse);
+  ASSERT_FALSE(refusals.empty()) << eventLog(recording);
+  EXPECT_EQ(refusals.front()->text("reason"), "out_of_range");
+  EXPECT_FALSE(refusals.front()->text("text").empty());
+  EXPECT_TRUE(recording.shells.empty());
+  // One refusal per gun and mission, and no endless calling again.
+  EXPECT_LE(refusals.size(), 3u * eventsOf(recording, EventKind::call).size());
+  EXPECT_LE(eventsOf(recording, EventKind::call).size(), 3u);
+}
+
+TEST(MissionEngine, ALocationErrorIsWalkedInAndTheTargetDestroyed) {
+  Scenario sc = duel();
+  sc.observers[0].sensing.location_cep_m = 200.0;
+  sc.batteries[0].pe_range_m = 15.0;
+  sc.batteries[0].pe_deflection_m = 4.0;
+  sc.duration_s = 600.0;
+  int destroyed = 0, corrected = 0;
+  for (std::int64_t seed = 1; seed <= 20; ++seed) {
+    sc.seed = seed;
+    const Recording recording = ran(sc);
+    destroyed += !eventsOf(recording, EventKind::destroyed).empty();
+    for (const MissionEvent* event : eventsOf(recording, EventKind::spot)) {
+      // What he saw is what was there: the spot's range is the burst's place along his line to the tank, which runs due east.
+      const ShellRecord& shell = recording.shells[static_cast<std::size_t>(event->number("shell")) - 1];
+      EXPECT_NEAR(event->number("range_m"), shell.burst_m.x - 15000.0, 1e-6);
+      EXPECT_EQ(event->number("lateral_mil") > 0.0, shell.burst_m.z > 10000.0) << "south of an eastward line is right of it";
+    }
+    corrected += !eventsOf(recording, EventKind::correction).empty();
+  }
+  EXPECT_GE(destroyed, 19);
+  EXPECT_GE(corrected, 5) << "some first rounds are too far off to do harm";
+}
+
+TEST(MissionEngine, APersonInTheObserversPlaceCallsCorrectsAndEnds) {
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  const Recording idle = ran(sc);
+  EXPECT_TRUE(eventsOf(idle, EventKind::call).empty()) << "the rules called although a person observes";
+
+  using enum MissionCommand::Kind;
+  const std::vector<MissionCommand> commands{
+      {.t_s = 2.0, .kind = call_for_fire, .who = "fo", .place = {15150, 10120}, .target = {}, .method = FireMethod::adjust_fire, .description = "tank in the open"},
+      {.t_s = 60.0, .kind = fire_for_effect, .who = "fo", .place = {}, .target = {}, .mission = 1, .right_m = -120.0, .add_m = -150.0, .description = {}},
+      {.t_s = 200.0, .kind = end_mission, .who = "fo", .place = {}, .target = {}, .mission = 1, .description = "target destroyed"}};
+  const Recording recording = ran(sc, commands);
+  EXPECT_EQ(eventsOf(recording, EventKind::call).size(), 1u) << eventLog(recording);
+  ASSERT_FALSE(eventsOf(recording, EventKind::spot).empty());
+  ASSERT_FALSE(eventsOf(recording, EventKind::correction).empty());
+  EXPECT_NEAR(eventsOf(recording, EventKind::correction).front()->number("aim_error_m"), 0.0, 15.0);
+  EXPECT_EQ(eventsOf(recording, EventKind::destroyed).size(), 1u);
+  EXPECT_EQ(eventLog(ran(sc, commands)), eventLog(recording)) << "the same commands give the same mission";
+}
+
+TEST(MissionEngine, CommandsThatNameNobodyAreAnsweredByAWarning) {
+  using enum MissionCommand::Kind;
+  const Recording recording = ran(duel(), {{.t_s = 1.0, .kind = drive, .who = "nobody", .place = {}, .target = {}, .description = {}},
+                                           {.t_s = 1.0, .kind = correct, .who = "fo", .place = {}, .target = {}, .mission = 99, .description = {}}});
+  EXPECT_GE(eventsOf(recording, EventKind::warning).size(), 2u);
+}
+
+TEST(MissionEngine, ADriverMovesHisVehicleAndItsTrackShowsIt) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.vehicles[0].behaviour = Behaviour::user;
+  const Recording recording = ran(sc, {{.t_s = 1.0, .kind = drive, .who = "tank", .speed_mps = 8.0, .turn_radps = 0.0, .place = {}, .target = {}, .description = {}}});
+  const auto& track = recording.vehicles[0].track;
+  const Pose start = track.at(0.5), later = track.at(4.0);
+  EXPECT_EQ(start.x_m, 15000.0);
+  EXPECT_GT(std::hypot(later.x_m - start.x_m, later.z_m - start.z_m), 5.0);
+}
+
+}  // namespace
+}  // namespace npsee
