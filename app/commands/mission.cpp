@@ -18,7 +18,7 @@ namespace npsee::commands {
 namespace {
 
 struct Options {
-  std::string file, until, seed, format = "text";
+  std::string file, until, seed, record, format = "text";
   std::vector<std::string> settings;
   bool expect = false, quiet = false;
   int monte_carlo = 0, jobs = 0;
@@ -61,6 +61,8 @@ int runOnce(const Options& options, const Scenario& scenario, std::optional<doub
   if (!recording) return report(recording.error());
   if (!options.quiet)
     if (const int code = writeResult(eventLog(*recording)); code != 0) return code;
+  if (!options.record.empty())
+    if (auto saved = saveRecording(*recording, options.record); !saved) return report(saved.error());
   if (const int code = exitOf(*recording); code != 0) return code;
   if (!options.expect) return 0;
   const auto unmet = unmetExpectations(*recording);
@@ -112,6 +114,7 @@ void addMission(CLI::App& app, Outcome& outcome) {
   command->add_option("--until", options->until, "Stop at this time of the mission, s")->type_name("T");
   addChangeOptions(*command, options->settings, options->seed);
   command->add_flag("--expect", options->expect, "Check the mission's `expect` clauses; exit 1 and name those that are not met");
+  command->add_option("--record", options->record, "Write a recording, for `npsee replay`")->type_name("FILE");
   command->add_option("--monte-carlo", options->monte_carlo, "Run with N seeds from the mission's own upward and print a summary instead of the log")->type_name("N");
   command->add_option("--jobs", options->jobs, "Threads of --monte-carlo; 0 = one per core")->check(CLI::Range(0, 1024))->type_name("N");
   command->add_option("--format", options->format, "Summary of --monte-carlo as text or json")->check(CLI::IsMember({"text", "json"}))->type_name("FORMAT");
