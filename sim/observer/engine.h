@@ -88,7 +88,7 @@ struct FireMission {
   Vec3 ot;                         ///< unit vector from observer to target, level
   double ot_distance_m = 0.0;
   MissionFact::State state = MissionFact::State::accepted;
-  bool effect = false, over = false, waiting = true, danger_close = false;
+  bool effect = false, over = false, waiting = true, danger_close = false, burning = false;
   int adjusting = 0, effects = 0, fired = 0, in_air = 0, messages = 0;
   double opened_s = 0.0, until_s = 0.0;
   std::vector<int> refused_guns;   ///< told once each

@@ -78,7 +78,7 @@ void Mission::State::call(int p, const Decision& decision) {
   const Acquaintance& a = post.knows[static_cast<std::size_t>(decision.contact)];
   if (!a.known) return;
   for (const FireMission& mission : missions)
-    if (!mission.over && mission.post == p && mission.target == decision.contact) return;
+    if (!mission.over && !mission.burning && mission.post == p && mission.target == decision.contact) return;
 
   FireMission mission;
   mission.number = static_cast<int>(missions.size()) + 1;

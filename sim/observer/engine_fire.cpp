@@ -21,8 +21,12 @@ double angleT(const Vec3& observer, const Vec3& gun, const Vec3& target) {
 
 /// The fire direction centre: every mission that waits gets a battery, solutions and orders to its guns.
 void Mission::State::direct() {
-  for (std::size_t m = 0; m < missions.size(); ++m)
+  for (std::size_t m = 0; m < missions.size(); ++m) {
     if (missions[m].waiting && !missions[m].over) prepare(missions[m]);
+    if (!missions[m].burning || missions[m].over || now_s < missions[m].until_s) continue;
+    missions[m].burning = false;
+    tellMission(missions[m], MissionFact::State::effect_over);
+  }
 }
 
 /// Moves the aim with the target as the observer believes it; the thesis lays again on its absolute place and forgets corrections.

@@ -168,6 +168,13 @@ void Mission::State::landed(FireMission& mission, const ShellRecord& shell) {
     return;
   }
   ++mission.effects;
+  if (mission.method == FireMethod::illuminate) {
+    // The mission lasts as long as its light, and its guns serve others meanwhile.
+    this->release(mission);
+    mission.until_s = shell.burst_s + kLight_s;
+    mission.burning = true;
+    return;
+  }
   const bool lasting = mission.method == FireMethod::suppress || mission.method == FireMethod::immediate_suppression || mission.method == FireMethod::smoke;
   if (mission.until_s == 0.0) mission.until_s = mission.opened_s + post.setup->suppress_s;
   const bool gone = mission.target >= 0 && condition(mission.target) == Contact::Condition::destroyed;
