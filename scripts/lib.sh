@@ -152,7 +152,11 @@ configure() {
 # build_targets TARGET...: quiet where nothing is to do.
 build_targets() {
   local plan
-  plan=$(ninja -C "$build" -n "$@" 2>&1) && [[ $plan == *"no work to do"* ]] && return
+  # Configures again where CMake's files or a folder it lists have changed; nearly always there is nothing to do.
+  ninja -C "$build" build.ninja >"$logs/configure.log" 2>&1 || step_failed configure
+  # A dry run takes that check for work of its own, but leaves it out for a plan under another name.
+  ln -sf build.ninja "$build/plan.ninja"
+  plan=$(ninja -C "$build" -f plan.ninja -n "$@" 2>&1) && [[ $plan == *"no work to do"* ]] && return
   step build "Building" ninja -C "$build" "$@" || step_failed build
 }
 

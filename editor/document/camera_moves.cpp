@@ -11,7 +11,7 @@ using render::Camera;
 constexpr double kNearest_m = 0.05, kFarthest_m = 50000.0;
 constexpr double kSteepest_rad = 1.5533430342749532;  // 89 deg: at the pole "up" has no direction in the picture
 
-struct Frame {
+struct ViewAxes {
   Vec3 forward, right, up;
 };
 
@@ -20,7 +20,7 @@ Vec3 normalised(const Vec3& v) {
   return l > 0.0 ? (1.0 / l) * v : Vec3{0.0, 0.0, -1.0};
 }
 
-Frame frameOf(const Camera& camera) {
+ViewAxes frameOf(const Camera& camera) {
   const Vec3 forward = normalised(camera.target - camera.eye);
   Vec3 right = cross(forward, {0.0, 1.0, 0.0});
   right = length(right) > 1e-9 ? normalised(right) : Vec3{1.0, 0.0, 0.0};
@@ -64,7 +64,7 @@ Camera orbited(const Camera& camera, double yaw, double pitch) {
 }
 
 Camera panned(const Camera& camera, double dx, double dy) {
-  const Frame frame = frameOf(camera);
+  const ViewAxes frame = frameOf(camera);
   const double height = 2.0 * length(camera.target - camera.eye) * std::tan(0.5 * camera.fov_y_rad);
   const Vec3 shift = (-dx * height) * frame.right + (dy * height) * frame.up;
   Camera out = camera;
@@ -76,7 +76,7 @@ Camera panned(const Camera& camera, double dx, double dy) {
 Camera dollied(const Camera& camera, double factor, double x, double y) {
   const double distance = length(camera.target - camera.eye);
   const double wanted = std::clamp(distance * factor, kNearest_m, kFarthest_m);
-  const Frame frame = frameOf(camera);
+  const ViewAxes frame = frameOf(camera);
   // The point under the pointer stays there when the centre moves towards it as the half height shrinks.
   const double shrink = (distance - wanted) * std::tan(0.5 * camera.fov_y_rad);
   Camera out = camera;

@@ -9,7 +9,7 @@
 namespace npsee {
 namespace {
 
-std::string faultsOf(const std::string& text) {
+std::string weaponFaultsOf(const std::string& text) {
   const auto weapons = parseWeapons(text, "w.dat");
   return weapons ? "" : weapons.error().text();
 }
@@ -101,13 +101,13 @@ TEST(Weapons, EveryFaultHasFileLineAndRemedy) {
       {"I gun 7\nD 1 2 3 4 5 1 4", "pathtype of gun is \"4\", but must be a whole number from 0 to 3.\n  pathtype: 0 low angle"},
   };
   for (const auto& [text, expected] : cases) {
-    const std::string faults = faultsOf(text);
+    const std::string faults = weaponFaultsOf(text);
     EXPECT_NE(faults.find(expected), std::string::npos) << text << "\n-> " << faults;
   }
 }
 
 TEST(Weapons, FaultsOfSeveralRecordsAreReportedTogetherAndInOrder) {
-  const std::string faults = faultsOf("I gun x\nD 1 2 3 4 5 1 1\nI two 8\nD 1 2 3 4 5 9 9\nI three 9\nD 1 2 3 4 5 1 1");
+  const std::string faults = weaponFaultsOf("I gun x\nD 1 2 3 4 5 1 1\nI two 8\nD 1 2 3 4 5 9 9\nI three 9\nD 1 2 3 4 5 1 1");
   EXPECT_LT(faults.find("w.dat:1:"), faults.find("w.dat:4: targettype"));
   EXPECT_NE(faults.find("w.dat:4: pathtype"), std::string::npos);
   EXPECT_EQ(faults.find("three"), std::string::npos);
