@@ -17,21 +17,32 @@ std::string progressText(const std::string& what, std::size_t done, std::size_t 
   return text;
 }
 
-Progress::Progress(std::string what, std::size_t total)
-    : what_(std::move(what)), total_(total), terminal_(total > 1 && ::isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
+Expected<ProgressMode> readProgress(const std::string& text) {
+  if (text.empty() || text == "auto") return ProgressMode::terminal;
+  if (text == "never") return ProgressMode::never;
+  if (text == "always") return ProgressMode::lines;
+  return fail(ErrorKind::usage, "--progress " + text + ": there is no such way to show progress.", "Write auto, never or always.");
+}
+
+Progress::Progress(std::string what, std::size_t total, ProgressMode mode) : what_(std::move(what)), total_(total), mode_(mode), begin_(Clock::now()), last_(begin_) {
+  if (mode_ == ProgressMode::terminal && (total_ < 2 || ::isatty(STDERR_FILENO) != 1)) mode_ = ProgressMode::never;
+}
 
 Progress::~Progress() {
-  if (shown_) std::fputs("\r\x1b[K", stderr);
+  if (shown_ && mode_ == ProgressMode::terminal) std::fputs("\r\x1b[K", stderr);
 }
 
 void Progress::show(std::size_t done) {
-  if (!terminal_) return;
+  if (mode_ == ProgressMode::never) return;
   const Clock::time_point now = Clock::now();
-  if (shown_ && now - last_ < std::chrono::milliseconds(100)) return;
+  const auto pause = mode_ == ProgressMode::lines ? std::chrono::milliseconds(5000) : std::chrono::milliseconds(100);
+  // In a log the end is worth a line too.
+  const bool end = mode_ == ProgressMode::lines && done == total_;
+  if (shown_ && now - last_ < pause && !end) return;
   last_ = now;
   shown_ = true;
   const std::string text = progressText(what_, done, total_, std::chrono::duration<double>(now - begin_).count());
-  std::fprintf(stderr, "\r\x1b[K%s", text.c_str());
+  std::fprintf(stderr, mode_ == ProgressMode::lines ? "%s\n" : "\r\x1b[K%s", text.c_str());
   std::fflush(stderr);
 }
 

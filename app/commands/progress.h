@@ -1,15 +1,24 @@
 #pragma once
 
+#include <npsee/error.h>
+
 #include <chrono>
 #include <cstddef>
 #include <string>
 
 namespace npsee::commands {
 
-/// A line on stderr with a count and the time left, on a terminal only; gone when the work ends.
+/// Where the count goes: a line that rewrites itself on a terminal, nowhere, or lines of their own now and then (for logs).
+enum class ProgressMode { terminal, never, lines };
+
+/// "auto" (or empty), "never", "always". Error kind usage.
+Expected<ProgressMode> readProgress(const std::string& text);
+
+/// A count and the time left, on stderr.
 class Progress {
  public:
-  Progress(std::string what, std::size_t total);
+  /// `mode` terminal shows nothing where stderr is none, and nothing for a single piece of work.
+  Progress(std::string what, std::size_t total, ProgressMode mode = ProgressMode::terminal);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -20,7 +29,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   std::string what_;
   std::size_t total_;
-  bool terminal_;
+  ProgressMode mode_;
   bool shown_ = false;
   Clock::time_point begin_, last_;
 };

@@ -1,128 +1,168 @@
 #include "app/commands/command.h"
-#include "app/commands/progress.h"
-#include "app/commands/render_output.h"
-#include "app/commands/render_pipeline.h"
-#include "app/render/contact_sheet.h"
+#include "app/commands/golden.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/render_run.h"
+#include "app/commands/render_summary.h"
+#include "app/gl/machine.h"
+
+#include "sim/core/files.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
+#include <algorithm>
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <system_error>
 
 namespace npsee::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything a run has opened.
-struct Session {
-  RenderPlan plan;
-  OutputNames names;
-  std::vector<Preset> presets;
-  std::unique_ptr<gl::Context> context;  // outlives the renderer
-  std::unique_ptr<render::Renderer> renderer;
+/// One call of `npsee render`.
+class RenderCall {
+ public:
+  explicit RenderCall(const RenderOptions& options) : o_(options) {}
+
+  int run() {
+    const auto begin = std::chrono::steady_clock::now();
+    Expected<void> result = prepare();
+    if (!result) return report(result.error());
+    const bool any = std::ranges::find(items_, FileState::planned, &WorkItem::state) != items_.end();
+    if (!o_.dry_run && !o_.verify && any) result = draw();
+    // Pictures that were drawn before an error are worth a report too.
+    if (auto reported = writeReports(); result && !reported) result = reported;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    const int printed = writeResult(o_.summary == "json" ? json(seconds.count()) : text());
+    if (!result) {
+      const int code = report(result.error());
+      Interrupt::resume();
+      return code;
+    }
+    return printed != 0 ? printed : verdict();
+  }
+
+ private:
+  Expected<void> prepare();
+  Expected<void> checkOptions() const;
+  Expected<void> makeItems();
+  Expected<void> draw();
+  Expected<void> save(std::size_t item, const render::Image& image);
+  Expected<void> writeReports() const;
+  std::string text() const;
+  std::string json(double seconds) const { return summaryJson({&plan_, &o_.files, &items_, golden_ ? &*golden_ : nullptr, machine_.driver, machine_.processor, seconds}); }
+  int verdict() const;
+
+  const RenderOptions& o_;
+  RenderPlan plan_;
+  ProgressMode progress_ = ProgressMode::terminal;
+  std::vector<Preset> presets_;
+  render::Tolerance tolerance_;
+  std::vector<WorkItem> items_;      // of the goldens where there are any, else of the output
+  std::vector<WorkItem> copies_;     // of the output beside goldens
+  GoldenRecord machine_;
+  std::optional<GoldenCheck> golden_;
 };
 
-Expected<Session> open(const RenderOptions& options) {
-  Session session;
-  auto plan = makePlan(options);
+Expected<void> RenderCall::checkOptions() const {
+  const auto clash = [](const std::string& what, const std::string& remedy) { return fail(ErrorKind::usage, what, remedy); };
+  const bool needs_golden = o_.update_golden || !o_.report.empty() || !o_.junit.empty() || o_.tolerance.given();
+  if (o_.golden.empty() && needs_golden) return clash("--update-golden, --report, --junit and tolerances belong to a comparison with goldens.", "Add --golden DIR, or compare files with `npsee compare`.");
+  if (o_.golden.empty() && o_.output.empty()) return clash("-o (--output) is missing: where do the pictures go?", "For example -o picture.png.");
+  if (!o_.golden.empty() && (o_.resume || o_.dry_run || o_.verify)) return clash("--golden draws every picture anew.", "Leave out --resume, --dry-run and --verify.");
+  if (o_.verify && (o_.resume || o_.dry_run)) return clash("--verify only looks at what is there.", "Leave out --resume and --dry-run.");
+  if (!o_.summary.empty() && o_.summary != "text" && o_.summary != "json") return clash("--summary " + o_.summary + ": there is no such summary.", "Write text or json.");
+  for (const std::string& file : {o_.report, o_.junit})
+    if (!file.empty())
+      if (auto place = checkPlace(file); !place) return place;
+  std::error_code ignored;
+  if (!o_.golden.empty() && !fs::is_directory(o_.golden, ignored))
+    return fail(ErrorKind::input, {.what = "is no folder of goldens.", .remedy = "Make the folder and fill it with --update-golden.", .file = o_.golden, .line = 0, .pointer = {}});
+  return {};
+}
+
+Expected<void> RenderCall::prepare() {
+  auto plan = makePlan(o_);
   if (!plan) return tl::unexpected<Error>(plan.error());
-  session.plan = std::move(*plan);
-  for (const std::string& file : options.files) {
-    auto preset = loadChosen({file, options.settings, options.seed});
+  plan_ = std::move(*plan);
+  if (auto checked = checkOptions(); !checked) return checked;
+  auto tolerance = readTolerance(o_.tolerance);
+  if (!tolerance) return tl::unexpected<Error>(tolerance.error());
+  tolerance_ = *tolerance;
+  const auto progress = readProgress(o_.progress);
+  if (!progress) return tl::unexpected<Error>(progress.error());
+  progress_ = *progress;
+  for (const std::string& file : o_.files) {
+    auto preset = loadChosen({file, o_.settings, o_.seed});
     if (!preset) return tl::unexpected<Error>(preset.error());
-    if (auto layer = templateLayer(session.plan, *preset); !layer) return tl::unexpected<Error>(layer.error());
-    session.presets.push_back(std::move(*preset));
+    if (auto layer = templateLayer(plan_, *preset); !layer) return tl::unexpected<Error>(layer.error());
+    presets_.push_back(std::move(*preset));
   }
-  auto names = OutputNames::make(options.output, options.files, session.plan.kind == RenderKind::sequence);
-  if (!names) return tl::unexpected<Error>(names.error());
-  session.names = std::move(*names);
   // A camera that cannot be read is a mistake of the call; found before the driver is started.
-  if (auto camera = render::parseCamera(session.plan.camera, {}, 1.0); !camera) return tl::unexpected<Error>(camera.error());
-  auto context = gl::makeOffscreenContext();
+  if (auto camera = render::parseCamera(plan_.camera, {}, 1.0); !camera) return tl::unexpected<Error>(camera.error());
+  return makeItems();
+}
+
+Expected<void> RenderCall::makeItems() {
+  if (!o_.output.empty()) {
+    const auto names = OutputNames::make(o_.output, o_.files, plan_.numbered());
+    if (!names) return tl::unexpected<Error>(names.error());
+    items_ = workOf(plan_, presets_, *names);
+  }
+  if (!o_.golden.empty()) {
+    const auto names = OutputNames::inFolder(o_.golden, o_.files, plan_.numbered());
+    if (!names) return tl::unexpected<Error>(names.error());
+    copies_ = std::move(items_);
+    items_ = workOf(plan_, presets_, *names);
+  }
+  if (o_.resume || o_.verify) skipFinished(items_, plan_.threads);
+  if (o_.verify)
+    for (WorkItem& item : items_)
+      if (item.state == FileState::planned) item.state = FileState::missing;
+  return {};
+}
+
+Expected<void> RenderCall::save(std::size_t index, const render::Image& image) {
+  if (golden_) {
+    if (auto judged = golden_->judge(index, image); !judged || copies_.empty()) return judged;
+  }
+  const WorkItem& item = copies_.empty() ? items_[index] : copies_[index];
+  const auto bytes = encoded(image, item);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  return writeFileAtomically(item.path, std::as_bytes(std::span(*bytes)));
+}
+
+Expected<void> RenderCall::draw() {
+  const Interrupt interrupt;
+  const auto context = gl::makeOffscreenContext();
   if (!context) return tl::unexpected<Error>(context.error());
-  session.context = std::move(*context);
-  auto renderer = render::Renderer::create();
+  const auto renderer = render::Renderer::create();
   if (!renderer) return tl::unexpected<Error>(renderer.error());
-  session.renderer = std::move(*renderer);
-  return session;
+  machine_ = {(*context)->description(), gl::processorClass()};
+  if (!o_.golden.empty()) golden_.emplace(GoldenCheck::Settings{o_.golden, machine_, tolerance_, o_.update_golden, !o_.report.empty()}, items_);
+  RenderRun run{plan_, presets_, items_, **renderer, [this](std::size_t item, const render::Image& image) { return save(item, image); }, progress_};
+  return drawItems(run);
 }
 
-PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& explosion) {
-  PictureJob job;
-  job.explosion = &explosion;
-  job.scene.layers = explosion.layers();
-  job.scene.ground_height_m = preset.ground_height_m;
-  job.scene.ground_colour = preset.ground_colour;
-  job.scene.background = plan.background;
-  job.width = plan.width;
-  job.height = plan.height;
-  job.threads = plan.threads;
-  job.camera = *render::parseCamera(plan.camera, explosion.extent(), static_cast<double>(plan.width) / plan.height);
-  return job;
-}
-
-/// "t=0.52 s"
-std::string caption(double time_s) {
-  char text[40];
-  std::snprintf(text, sizeof text, "t=%.2f s", time_s);
-  return text;
-}
-
-Expected<void> writeSheet(Session& session, const PictureJob& job, const std::vector<Shot>& shots, const fs::path& path, Progress& progress, std::vector<fs::path>& written) {
-  const RenderPlan& plan = session.plan;
-  render::Image sheet{plan.width * plan.columns, plan.height * plan.rows, {}};
-  sheet.rgba.resize(4u * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
-  auto drawn = drawPictures(*session.renderer, job, shots, [&](const Shot& shot, render::Image& image) -> Expected<void> {
-    const int column = static_cast<int>(shot.number) % plan.columns, row = static_cast<int>(shot.number) / plan.columns;
-    render::placeInSheet(sheet, image, column, row);
-    // A transparent sheet is a sprite sheet: nothing but the effect.
-    if (plan.background.kind != render::Background::Kind::transparent) render::captionCell(sheet, plan.width, plan.height, column, row, caption(shot.time_s));
-    progress.show(static_cast<std::size_t>(shot.number) + 1);
-    return {};
-  });
-  if (!drawn) return drawn;
-  if (auto saved = render::writePng(sheet, path); !saved) return saved;
-  written.push_back(path);
-  return {};
-}
-
-Expected<void> writeTemplate(Session& session, std::size_t index, std::vector<fs::path>& written) {
-  render::TemplateScene scene;
-  scene.preset = &session.presets[index];
-  scene.layer = *templateLayer(session.plan, *scene.preset);
-  scene.view = session.plan.view;
-  scene.background = session.plan.background;
-  auto image = session.renderer->drawToImage(scene, session.plan.width, session.plan.height);
-  if (!image) return tl::unexpected<Error>(image.error());
-  const fs::path path = session.names.path(index, 0);
-  if (auto saved = render::writePng(*image, path); !saved) return saved;
-  written.push_back(path);
-  return {};
-}
-
-Expected<void> renderOne(Session& session, std::size_t index, std::vector<fs::path>& written) {
-  if (session.plan.kind == RenderKind::template_view) return writeTemplate(session, index, written);
-  const Preset& preset = session.presets[index];
-  const auto explosion = Explosion::compile(preset, std::nullopt, nullptr, {.threads = session.plan.threads});
-  if (!explosion) return tl::unexpected<Error>(explosion.error());
-  const PictureJob job = jobOf(session.plan, preset, **explosion);
-  const std::vector<Shot> shots = shotsOf(session.plan, (*explosion)->duration_s());
-  Progress progress("frame", shots.size());
-  if (session.plan.kind == RenderKind::sheet) return writeSheet(session, job, shots, session.names.path(index, 0), progress, written);
-  return writePictures(*session.renderer, job, shots, [&](const Shot& shot) { return session.names.path(index, shot.number); }, [&](std::size_t done) { progress.show(done); }, written);
-}
-
-int render(const RenderOptions& options) {
-  auto session = open(options);
-  if (!session) return report(session.error());
-  std::vector<fs::path> written;
+Expected<void> RenderCall::writeReports() const {
+  if (!golden_) return {};
   Expected<void> result;
-  for (std::size_t i = 0; result && i < session->presets.size(); ++i) result = renderOne(*session, i, written);
-  std::string lines;
-  for (const fs::path& path : written) lines += path.string() + '\n';
-  const int printed = writeResult(lines);
-  return result ? printed : report(result.error());
+  if (!o_.report.empty()) result = writeFileAtomically(o_.report, goldenPage(*golden_));
+  if (!o_.junit.empty())
+    if (auto written = writeFileAtomically(o_.junit, goldenJunit(*golden_)); result) result = written;
+  return result;
+}
+
+std::string RenderCall::text() const {
+  if (golden_) return goldenText(*golden_);
+  return pathsText(items_, o_.verify ? FileState::missing : o_.dry_run ? FileState::planned : FileState::written);
+}
+
+int RenderCall::verdict() const {
+  const auto any = [&](FileState state) { return std::ranges::find(items_, state, &WorkItem::state) != items_.end(); };
+  if (golden_) return countsOf(golden_->results()).failed > 0 ? 1 : 0;
+  return any(FileState::missing) ? 1 : 0;
 }
 
 }  // namespace
@@ -130,20 +170,7 @@ int render(const RenderOptions& options) {
 void addRender(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render presets to PNG: one picture, a numbered sequence, or a contact sheet; needs no display");
-  command->add_option("FILE", options->files, "Preset files (*.npsee.json)")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write; for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder")->required()->type_name("OUT");
-  command->add_option("--time", options->time, "Moment to draw, after the burst; a quarter of the effect's duration if left out")->type_name("T");
-  command->add_option("--frames", options->frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly")->type_name("A:B");
-  command->add_option("--fps", options->fps, "Frames per second of a sequence: 30 (default), 29.97, 30000/1001")->type_name("RATE");
-  command->add_option("--size", options->size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out")->type_name("WxH");
-  command->add_option("--camera", options->camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"")->type_name("CAMERA");
-  command->add_option("--background", options->background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"")->type_name("COLOUR");
-  command->add_option("--sheet", options->sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions")->type_name("CxR");
-  command->add_flag("--template", options->as_template, "Draw the template, the shape that shows the settings, instead of the explosion");
-  command->add_option("--view", options->view, "The template's view: surface (default), polygons, splines")->type_name("VIEW");
-  command->add_option("--layer", options->layer, "The layer whose template is drawn, the first enabled one if left out")->type_name("NAME");
-  addChangeOptions(*command, options->settings, options->seed);
-  command->add_option("-j,--threads,--jobs", options->threads, "Threads for simulation and PNG; the pictures do not depend on it")->type_name("N");
+  addRenderOptions(*command, *options);
   command->footer(
       "Prints the files written, one per line.\n"
       "Examples:\n  npsee render presets/classic_1993.npsee.json -o classic.png --time 2.14\n"
@@ -151,8 +178,10 @@ void addRender(CLI::App& app, Outcome& outcome) {
       "  npsee render presets/classic_1993.npsee.json -o sheet.png --sheet 4x3\n"
       "  npsee render presets/classic_1993.npsee.json -o sprites.png --sheet 8x8 --size 128x128 --background transparent\n"
       "  npsee render presets/classic_1993.npsee.json -o template.png --template --view splines\n"
-      "  npsee render a.npsee.json b.npsee.json -o folder/ --set fragments.speed_mean=40 --camera \"eye=0,10,60 target=0,8,0\"");
-  command->callback([options, &outcome] { outcome.exit_code = render(*options); });
+      "  npsee render a.npsee.json b.npsee.json -o folder/ --set fragments.speed_mean=40 --camera \"eye=0,10,60 target=0,8,0\"\n"
+      "  npsee render presets/*.npsee.json -o frames/ --frames 0:3 --shard 2/5 --resume\n"
+      "  npsee render presets/*.npsee.json --time 10%,30%,70% --size 320x180 --golden goldens --report report.html --junit report.xml");
+  command->callback([options, &outcome] { outcome.exit_code = RenderCall(*options).run(); });
 }
 
 }  // namespace npsee::commands

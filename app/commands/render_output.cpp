@@ -78,14 +78,7 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
     if (!folder)
       return fail(ErrorKind::usage, "-o " + output + ": several presets need a folder to be written to.", "Name an existing folder, or end the name in / once it exists.");
     if (auto checked = checkFolder(path, output); !checked) return tl::unexpected<Error>(checked.error());
-    std::set<std::string> seen;
-    for (const std::string& preset : presets) {
-      const std::string name = presetName(preset);
-      if (!seen.insert(name).second)
-        return fail(ErrorKind::usage, "two of the presets are called " + name + ", and their pictures would overwrite each other.", "Render them one by one with a name of their own.");
-      out.names_.push_back({path, sequence ? name + '_' : name, ".png"});
-    }
-    return out;
+    return inFolder(path, presets, sequence);
   }
   if (auto checked = checkEnding(path); !checked) return tl::unexpected<Error>(checked.error());
   if (!isSpecial(path))
@@ -108,6 +101,21 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
   }
   return out;
 }
+
+Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::vector<std::string>& presets, bool sequence) {
+  OutputNames out;
+  out.numbered_ = sequence;
+  std::set<std::string> seen;
+  for (const std::string& preset : presets) {
+    const std::string name = presetName(preset);
+    if (!seen.insert(name).second)
+      return fail(ErrorKind::usage, "two of the presets are called " + name + ", and their pictures would overwrite each other.", "Render them one by one with a name of their own.");
+    out.names_.push_back({folder, sequence ? name + '_' : name, ".png"});
+  }
+  return out;
+}
+
+Expected<void> checkPlace(const fs::path& file) { return isSpecial(file) ? Expected<void>() : checkFolder(file.parent_path(), file.string()); }
 
 std::filesystem::path OutputNames::path(std::size_t index, std::int64_t number) const {
   const Name& name = names_.at(index);

@@ -13,6 +13,9 @@ class OutputNames {
   /// Errors: usage for a name that cannot hold the results, output for a folder that is missing or closed to us.
   static Expected<OutputNames> make(const std::string& output, const std::vector<std::string>& presets, bool sequence);
 
+  /// Names of the presets in a folder, of which nothing is asked. Error kind usage for two presets of one name.
+  static Expected<OutputNames> inFolder(const std::filesystem::path& folder, const std::vector<std::string>& presets, bool sequence);
+
   /// Place of frame `number` of preset `index`; a single picture ignores the number.
   std::filesystem::path path(std::size_t index, std::int64_t number) const;
 
@@ -25,5 +28,8 @@ class OutputNames {
   int digits_ = 4;
   bool numbered_ = false;
 };
+
+/// Whether a file could be put there, as far as the folder tells. Error kind output.
+Expected<void> checkPlace(const std::filesystem::path& file);
 
 }  // namespace npsee::commands

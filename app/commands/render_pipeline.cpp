@@ -30,8 +30,8 @@ struct Finished {
 /// Encodes and writes pictures on several threads. The destructor waits for all of them.
 class Writers {
  public:
-  Writers(int threads, const std::vector<Shot>& shots, const std::function<std::filesystem::path(const Shot&)>& path)
-      : shots_(shots), path_(path), queue_(static_cast<std::size_t>(threads)), spare_(2 * static_cast<std::size_t>(threads) + 2), written_(shots.size(), 0) {
+  Writers(int threads, std::size_t pictures, const SavePicture& save)
+      : save_(save), queue_(static_cast<std::size_t>(threads)), spare_(2 * static_cast<std::size_t>(threads) + 2), written_(pictures, 0) {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
   }
   ~Writers() { finish(); }
@@ -53,13 +53,13 @@ class Writers {
 
   /// After finish(): the error of the earliest picture that has one.
   const std::optional<Error>& error() const { return error_; }
-  bool written(std::size_t index) const { return written_[index] != 0; }
+  const std::vector<char>& written() const { return written_; }
 
  private:
   void work() {
     while (auto picture = queue_.pop()) {
       if (failed_) continue;
-      auto result = render::writePng(picture->image, path_(shots_[picture->index]));
+      auto result = save_(picture->index, picture->image);
       if (result) {
         written_[picture->index] = 1;
         ++done_;
@@ -76,8 +76,7 @@ class Writers {
     }
   }
 
-  const std::vector<Shot>& shots_;
-  const std::function<std::filesystem::path(const Shot&)>& path_;
+  const SavePicture& save_;
   BoundedQueue<Finished> queue_;
   BoundedQueue<render::Image> spare_;  // never full: there are fewer pictures about than it holds
   std::vector<char> written_;          // one byte each, so that threads do not share
@@ -104,6 +103,10 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
   Expected<void> result;
   render::Image image;
   for (const Shot& shot : shots) {
+    if (job.stopped && job.stopped()) {
+      result = fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there.");
+      break;
+    }
     std::optional<Frame> frame = ahead.pop();
     render::Scene scene = job.scene;
     scene.frame = &*frame;
@@ -117,22 +120,19 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
   return result;
 }
 
-Expected<void> writePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
-                             const std::function<std::filesystem::path(const Shot&)>& path, const std::function<void(std::size_t done)>& progress,
-                             std::vector<std::filesystem::path>& written) {
-  Writers writers(writersFor(job), shots, path);
+Expected<void> savePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots, const SavePicture& save,
+                            const std::function<void(std::size_t done)>& progress, std::vector<char>& saved) {
+  Writers writers(writersFor(job), shots.size(), save);
   std::size_t next = 0;
-  bool stopped = false;
   auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, render::Image& image) -> Expected<void> {
-    stopped = !writers.write(next++, image);
     // The writers know the reason; any error ends the drawing.
-    if (stopped) return fail(ErrorKind::output, "a picture could not be written.");
+    if (!writers.write(next++, image)) return fail(ErrorKind::output, "a picture could not be written.");
     progress(writers.done());
     return {};
   });
   writers.finish();
-  for (std::size_t i = 0; i < shots.size(); ++i)
-    if (writers.written(i)) written.push_back(path(shots[i]));
+  progress(writers.done());
+  saved = writers.written();
   if (writers.error()) return tl::unexpected<Error>(*writers.error());
   return drawn;
 }

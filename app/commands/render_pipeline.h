@@ -2,7 +2,6 @@
 
 #include "app/commands/render_plan.h"
 
-#include <filesystem>
 #include <functional>
 
 namespace npsee::commands {
@@ -14,6 +13,7 @@ struct PictureJob {
   render::Camera camera;
   int width = 0, height = 0;
   int threads = 1;
+  std::function<bool()> stopped;  ///< asked before each picture; may be empty
 };
 
 /// Simulates ahead on a thread of its own and draws on this one, in order; `take` gets each picture and may keep it (an
@@ -21,11 +21,13 @@ struct PictureJob {
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
                             const std::function<Expected<void>(const Shot&, render::Image&)>& take);
 
-/// Draws, encodes and writes one PNG file per shot; encoding runs on `job.threads` threads behind a bounded queue, so that
-/// memory does not grow with the number of pictures. Paths of whole files are added to `written` in order, also when an
-/// error ends the run. `progress` hears how many are done.
-Expected<void> writePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
-                             const std::function<std::filesystem::path(const Shot&)>& path, const std::function<void(std::size_t done)>& progress,
-                             std::vector<std::filesystem::path>& written);
+/// Does something with picture `index` of the shots, such as encoding and writing it.
+using SavePicture = std::function<Expected<void>(std::size_t index, const render::Image& image)>;
+
+/// Draws the shots and saves each; saving runs on `job.threads` threads behind a bounded queue, so that memory does not grow
+/// with the number of pictures. `saved` gets 1 for each picture that was, also when an error ends the run. `progress` hears
+/// how many are done.
+Expected<void> savePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots, const SavePicture& save,
+                            const std::function<void(std::size_t done)>& progress, std::vector<char>& saved);
 
 }  // namespace npsee::commands

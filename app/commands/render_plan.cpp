@@ -147,6 +147,34 @@ Expected<int> readThreads(std::string_view text) {
   return static_cast<int>(*threads);
 }
 
+/// "0.5", "500ms", "25%", or several of them with commas between.
+Expected<std::vector<Moment>> readMoments(std::string_view text) {
+  std::vector<Moment> out;
+  for (const std::string_view part : splitAt(text, ',')) {
+    std::string_view word = trimmed(part);
+    if (word.ends_with('%')) {
+      word.remove_suffix(1);
+      const auto share = parseQuantity(trimmed(word), Unit::none);
+      if (!share || !(*share >= 0.0 && *share <= 100.0)) return refused("--time", text, "this is no share of the effect's duration.", "Write 0% to 100%, for example --time 25%.");
+      out.push_back({*share / 100.0, true});
+      continue;
+    }
+    const auto time = readTime("--time", text, word);
+    if (!time) return tl::unexpected<Error>(time.error());
+    out.push_back({*time, false});
+  }
+  if (out.size() > kMaxMoments) return refused("--time", "", "that is more than " + std::to_string(kMaxMoments) + " moments.", "Write a sequence with --frames.");
+  return out;
+}
+
+Expected<Shard> readShard(std::string_view text) {
+  const auto parts = splitAt(text, '/');
+  const auto index = wholeNumber(parts[0]), count = wholeNumber(parts.size() == 2 ? parts[1] : "");
+  if (!index || !count || *index < 1 || *count < *index || *count > kMaxShards)
+    return refused("--shard", text, "this is no part of the work.", "Write PART/PARTS, counted from 1: --shard 2/5 is the second of five.");
+  return Shard{*index, *count};
+}
+
 Expected<render::TemplateView> readView(std::string_view text) {
   if (text == "splines") return render::TemplateView::splines;
   if (text == "polygons") return render::TemplateView::polygons;
@@ -186,7 +214,8 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done) done = take(readBackground(options.background), plan.background);
   if (done) done = take(readThreads(options.threads), plan.threads);
   if (done) done = take(readView(options.view), plan.view);
-  if (done && !options.time.empty()) done = take(readTime("--time", options.time, options.time), plan.time_s);
+  if (done && !options.time.empty()) done = take(readMoments(options.time), plan.moments);
+  if (done && !options.shard.empty()) done = take(readShard(options.shard), plan.shard);
   if (done && !options.fps.empty()) done = take(readRate(options.fps), plan.rate);
   if (done && !options.frames.empty()) done = readRange(options, plan);
   if (done && plan.kind == RenderKind::sequence) done = countFrames(options, plan);
@@ -210,19 +239,17 @@ Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset) {
   return refused("--layer", plan.layer, "the preset has no such layer." + (near ? " Did you mean " + std::string(*near) + "?" : std::string()), "Its layers are " + listed(names) + ".");
 }
 
-std::vector<Shot> shotsOf(const RenderPlan& plan, double duration_s) {
+Shot shotOf(const RenderPlan& plan, std::int64_t number, double duration_s) {
+  if (plan.kind == RenderKind::sequence) return {plan.rate.timeOf(number), number};
+  return {plan.moments.at(static_cast<std::size_t>(number)).at(duration_s), number};
+}
+
+std::vector<Shot> sheetShots(const RenderPlan& plan, double duration_s) {
+  // Without the end, as a sequence: by then every particle is gone or at rest.
+  const auto [from, to] = plan.range_s.value_or(std::pair(0.0, duration_s));
+  const std::int64_t count = static_cast<std::int64_t>(plan.columns) * plan.rows;
   std::vector<Shot> shots;
-  if (plan.kind == RenderKind::sequence) {
-    for (std::int64_t k = plan.first_frame; k < plan.first_frame + plan.frame_count; ++k) shots.push_back({plan.rate.timeOf(k), k});
-  } else if (plan.kind == RenderKind::sheet) {
-    // Without the end, as a sequence: by then every particle is gone or at rest.
-    const auto [from, to] = plan.range_s.value_or(std::pair(0.0, duration_s));
-    const std::int64_t count = static_cast<std::int64_t>(plan.columns) * plan.rows;
-    for (std::int64_t i = 0; i < count; ++i) shots.push_back({from + (to - from) * static_cast<double>(i) / static_cast<double>(count), i});
-  } else {
-    // A quarter into an effect its pieces are usually spread and still in flight.
-    shots.push_back({plan.time_s.value_or(0.25 * duration_s), 0});
-  }
+  for (std::int64_t i = 0; i < count; ++i) shots.push_back({from + (to - from) * static_cast<double>(i) / static_cast<double>(count), i});
   return shots;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands/render_options.h"
 #include "app/render/renderer.h"
 
 #include <npsee/error.h>
@@ -12,20 +13,25 @@
 
 namespace npsee::commands {
 
-/// `npsee render`'s options as they were typed; empty = not given.
-struct RenderOptions {
-  std::vector<std::string> files;
-  std::vector<std::string> settings;
-  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads;
-  bool as_template = false;
-};
-
 enum class RenderKind { picture, sequence, sheet, template_view };
 
 /// Frames per second as a fraction, so that the time of frame k is one rounded division of integers.
 struct FrameRate {
   std::int64_t numerator = 30, denominator = 1;
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame * denominator) / static_cast<double>(numerator); }
+};
+
+/// A time after the burst, s, or a share of the effect's duration.
+struct Moment {
+  double value = 0.25;
+  bool share = true;
+  double at(double duration_s) const { return share ? value * duration_s : value; }
+};
+
+/// Part `index` of `count`, counted from 1: every count-th file, so that parts take equally long.
+struct Shard {
+  std::int64_t index = 1, count = 1;
+  bool takes(std::int64_t file) const { return file % count == index - 1; }
 };
 
 /// The options understood. Nothing has been read or written yet.
@@ -36,12 +42,20 @@ struct RenderPlan {
   int threads = 1;
   render::Background background;
   std::string camera = "auto";
-  std::optional<double> time_s;
+  std::vector<Moment> moments{Moment{}};  ///< of pictures; a quarter into an effect its pieces are usually spread and in flight
   std::optional<std::pair<double, double>> range_s;  ///< `--frames`, s
   FrameRate rate;
   std::int64_t first_frame = 0, frame_count = 0;  ///< of a sequence
   render::TemplateView view = render::TemplateView::surface;
   std::string layer;  ///< whose template; empty = the first that is enabled
+  Shard shard;
+
+  /// Whether the file names carry a number.
+  bool numbered() const { return kind == RenderKind::sequence || (kind == RenderKind::picture && moments.size() > 1); }
+  /// Files made of each preset.
+  std::int64_t filesPerPreset() const { return kind == RenderKind::sequence ? frame_count : kind == RenderKind::picture ? static_cast<std::int64_t>(moments.size()) : 1; }
+  /// Number of a preset's file: the frame number of a sequence.
+  std::int64_t numberOf(std::int64_t file) const { return kind == RenderKind::sequence ? first_frame + file : file; }
 };
 
 /// Limits, named in the messages.
@@ -49,6 +63,8 @@ inline constexpr std::int64_t kMaxFrames = 100'000;
 inline constexpr int kMaxSheetSide = 64;
 inline constexpr std::int64_t kMaxPicturePixels = 33'554'432;
 inline constexpr int kMaxThreads = 256;
+inline constexpr std::size_t kMaxMoments = 1000;
+inline constexpr std::int64_t kMaxShards = 100'000;
 
 /// Error kind usage for each option that cannot be meant.
 Expected<RenderPlan> makePlan(const RenderOptions& options);
@@ -63,7 +79,9 @@ struct Shot {
   std::int64_t number = 0;  ///< frame number of a sequence, place in a sheet
 };
 
-/// The pictures the plan wants of an effect that lasts `duration_s`.
-std::vector<Shot> shotsOf(const RenderPlan& plan, double duration_s);
+/// The picture with a number, of an effect that lasts `duration_s`: not for sheets.
+Shot shotOf(const RenderPlan& plan, std::int64_t number, double duration_s);
+/// The pictures of a sheet.
+std::vector<Shot> sheetShots(const RenderPlan& plan, double duration_s);
 
 }  // namespace npsee::commands

@@ -1,4 +1,5 @@
 #include "app/render/image.h"
+#include "app/render/png_text.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,26 @@ TEST(Png, AnUnwritablePlaceIsAnOutputErrorAndLeavesNothing) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().kind, ErrorKind::output);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Png, ATextIsFoundInWholeFilesOnlyAndLeavesThePixelsAlone) {
+  const test::TemporaryFolder folder;
+  std::vector<std::uint8_t> bytes = *encodePng(gradient(20, 10, true));
+  const std::string plain(bytes.begin(), bytes.end());
+  insertPngText(bytes, "a key", "a text");
+  const std::string with(bytes.begin(), bytes.end());
+  EXPECT_EQ(textOfWholePng(with, "a key"), "a text");
+  EXPECT_EQ(textOfWholePng(with, "a ke"), std::nullopt);
+  EXPECT_EQ(textOfWholePng(plain, "a key"), std::nullopt);
+  test::spill(folder / "a.png", with);
+  EXPECT_EQ(readPng(folder / "a.png")->rgba, gradient(20, 10, true).rgba);
+  for (std::size_t size = 0; size < with.size(); ++size) EXPECT_EQ(textOfWholePng(with.substr(0, size), "a key"), std::nullopt) << size;
+  for (std::size_t at = 0; at < with.size(); ++at) {
+    std::string bad = with;
+    bad[at] = static_cast<char>(bad[at] ^ 4);
+    EXPECT_EQ(textOfWholePng(bad, "a key"), std::nullopt) << at;
+  }
+  EXPECT_EQ(textOfWholePng(with + "x", "a key"), std::nullopt);
 }
 
 }  // namespace

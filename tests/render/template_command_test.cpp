@@ -17,8 +17,8 @@ class TemplateCommand : public ::testing::Test {
   void SetUp() override { test::spill(preset(), kTwoLayers); }
   std::string preset() const { return folder_ / "two.npsee.json"; }
 
-  /// PNG bytes that the command wrote with these options added.
-  std::string drawn(std::vector<std::string> options) {
+  /// Pixels that the command wrote with these options added.
+  std::vector<std::uint8_t> drawn(std::vector<std::string> options) {
     const std::string out = folder_ / "out.png";
     options.insert(options.begin(), {"render", preset(), "--template", "-o", out, "--size", "160x140"});
     const auto result = npseeRun(options);
@@ -27,7 +27,7 @@ class TemplateCommand : public ::testing::Test {
     const auto image = readPng(out);
     EXPECT_TRUE(image);
     EXPECT_EQ(image ? image->width : 0, 160);
-    return test::slurp(out);
+    return image ? image->rgba : std::vector<std::uint8_t>();
   }
   void expectRefused(std::vector<std::string> options, const std::string& message) {
     options.insert(options.begin(), {"render", preset(), "-o", folder_ / "out.png"});
@@ -42,7 +42,7 @@ class TemplateCommand : public ::testing::Test {
 };
 
 TEST_F(TemplateCommand, DrawsThreeDifferentViewsWithTheSurfaceAsDefault) {
-  const std::string surface = drawn({"--view", "surface"}), polygons = drawn({"--view", "polygons"}), splines = drawn({"--view", "splines"});
+  const auto surface = drawn({"--view", "surface"}), polygons = drawn({"--view", "polygons"}), splines = drawn({"--view", "splines"});
   EXPECT_NE(surface, polygons);
   EXPECT_NE(polygons, splines);
   EXPECT_NE(surface, splines);
@@ -50,13 +50,13 @@ TEST_F(TemplateCommand, DrawsThreeDifferentViewsWithTheSurfaceAsDefault) {
 }
 
 TEST_F(TemplateCommand, DrawsTheNamedLayerAndElseTheFirstEnabledOne) {
-  const std::string fragments = drawn({"--layer", "fragments"}), sparks = drawn({"--layer", "sparks"});
+  const auto fragments = drawn({"--layer", "fragments"}), sparks = drawn({"--layer", "sparks"});
   EXPECT_NE(fragments, sparks);
   EXPECT_EQ(drawn({}), sparks);
 }
 
 TEST_F(TemplateCommand, FollowsSettingsOfTheCommandLine) {
-  const std::string before = drawn({});
+  const auto before = drawn({});
   EXPECT_NE(drawn({"--set", "sparks.ejection_angle=60deg"}), before);
   EXPECT_NE(drawn({"--set", "burst=air"}), before);
   EXPECT_EQ(drawn({"--set", "sparks.lifetime_mean=1"}), before);

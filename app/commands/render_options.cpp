@@ -1,0 +1,56 @@
+#include "app/commands/render_options.h"
+
+#include "app/commands/command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace npsee::commands {
+namespace {
+
+void addPictureOptions(CLI::App& command, RenderOptions& o) {
+  const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type); };
+  option("-o,--output", o.output, "PNG file to write; for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
+  option("--time", o.time, "Moment to draw, after the burst (0.5, 500ms) or as a share of the effect's duration; 25% if left out. Several with commas: numbered pictures", "T,...");
+  option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly", "A:B");
+  option("--fps", o.fps, "Frames per second of a sequence: 30 (default), 29.97, 30000/1001", "RATE");
+  option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
+  option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
+  option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");
+  option("--sheet", o.sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions", "CxR");
+  command.add_flag("--template", o.as_template, "Draw the template, the shape that shows the settings, instead of the explosion");
+  option("--view", o.view, "The template's view: surface (default), polygons, splines", "VIEW");
+  option("--layer", o.layer, "The layer whose template is drawn, the first enabled one if left out", "NAME");
+  addChangeOptions(command, o.settings, o.seed);
+}
+
+void addPipelineOptions(CLI::App& command, RenderOptions& o) {
+  const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type)->group("Pipeline"); };
+  option("-j,--threads,--jobs", o.threads, "Threads for simulation and PNG; the pictures do not depend on it", "N");
+  option("--shard", o.shard, "Only part I of N of the files, counted from 1, so that N calls anywhere share the work", "I/N");
+  command.add_flag("--resume", o.resume, "Skip files that are there, whole, and made from the same preset and options")->group("Pipeline");
+  command.add_flag("--dry-run", o.dry_run, "Write nothing; print what would be written, with --resume only what is left")->group("Pipeline");
+  command.add_flag("--verify", o.verify, "Write nothing; exit 1 and name the files that are missing, damaged or made from something else")->group("Pipeline");
+  option("--summary", o.summary, "What is printed: text (default: the files written) or json", "FORMAT");
+  option("--progress", o.progress, "Count and time left on stderr: auto (default: on a terminal), never, always (lines, for logs)", "WHEN");
+}
+
+void addGoldenOptions(CLI::App& command, RenderOptions& o) {
+  const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type)->group("Goldens"); };
+  option("--golden", o.golden, "Compare the pictures with those of the same names in this folder; exit 1 where they differ. Nothing may differ on the driver and processor class recorded beside a golden; "
+                               "elsewhere 0.01 % of the pixels by more than 2, or the tolerance given", "DIR");
+  command.add_flag("--update-golden", o.update_golden, "Write the goldens that are missing or differ; names each, and the run still fails")->group("Goldens");
+  option("--report", o.report, "Write a page with before, after and difference of each picture; one file, nothing else needed", "FILE.html");
+  option("--junit", o.junit, "Write the result as JUnit XML", "FILE.xml");
+  addToleranceOptions(command, o.tolerance);
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+  command.add_option("FILE", options.files, "Preset files (*.npsee.json)")->required();
+  addPictureOptions(command, options);
+  addPipelineOptions(command, options);
+  addGoldenOptions(command, options);
+}
+
+}  // namespace npsee::commands

@@ -1,0 +1,118 @@
+#include "app/commands/render_run.h"
+
+#include "app/commands/interrupt.h"
+#include "app/render/contact_sheet.h"
+
+#include <cstdio>
+#include <span>
+
+namespace npsee::commands {
+namespace {
+
+PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& explosion) {
+  PictureJob job;
+  job.explosion = &explosion;
+  job.scene.layers = explosion.layers();
+  job.scene.ground_height_m = preset.ground_height_m;
+  job.scene.ground_colour = preset.ground_colour;
+  job.scene.background = plan.background;
+  job.width = plan.width;
+  job.height = plan.height;
+  job.threads = plan.threads;
+  job.camera = *render::parseCamera(plan.camera, explosion.extent(), static_cast<double>(plan.width) / plan.height);
+  job.stopped = Interrupt::requested;
+  return job;
+}
+
+/// "t=0.52 s"
+std::string caption(double time_s) {
+  char text[40];
+  std::snprintf(text, sizeof text, "t=%.2f s", time_s);
+  return text;
+}
+
+/// Draws items, given by their index, of one preset.
+class PresetRun {
+ public:
+  PresetRun(RenderRun& run, std::vector<std::size_t> items, Progress& progress, std::size_t done) : run_(run), items_(std::move(items)), progress_(progress), done_(done) {}
+
+  Expected<void> draw() {
+    if (Interrupt::requested()) return fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there.");
+    const Preset& preset = run_.presets[run_.items[items_.front()].preset];
+    if (run_.plan.kind == RenderKind::template_view) return drawTemplate(preset);
+    const auto explosion = Explosion::compile(preset, std::nullopt, nullptr, {.threads = run_.plan.threads});
+    if (!explosion) return tl::unexpected<Error>(explosion.error());
+    const PictureJob job = jobOf(run_.plan, preset, **explosion);
+    return run_.plan.kind == RenderKind::sheet ? drawSheet(job) : drawPictures(job);
+  }
+
+ private:
+  Expected<void> drawPictures(const PictureJob& job) {
+    std::vector<Shot> shots;
+    for (const std::size_t item : items_) shots.push_back(shotOf(run_.plan, run_.items[item].number, job.explosion->duration_s()));
+    std::vector<char> saved;
+    auto result = savePictures(run_.renderer, job, shots, [&](std::size_t i, const render::Image& image) { return run_.save(items_[i], image); }, [&](std::size_t done) { progress_.show(done_ + done); }, saved);
+    for (std::size_t i = 0; i < saved.size(); ++i)
+      if (saved[i] != 0) run_.items[items_[i]].state = FileState::written;
+    return result;
+  }
+
+  Expected<void> drawSheet(const PictureJob& job) {
+    const RenderPlan& plan = run_.plan;
+    render::Image sheet{plan.width * plan.columns, plan.height * plan.rows, {}};
+    sheet.rgba.resize(4u * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
+    auto drawn = commands::drawPictures(run_.renderer, job, sheetShots(plan, job.explosion->duration_s()), [&](const Shot& shot, render::Image& image) -> Expected<void> {
+      const int column = static_cast<int>(shot.number) % plan.columns, row = static_cast<int>(shot.number) / plan.columns;
+      render::placeInSheet(sheet, image, column, row);
+      // A transparent sheet is a sprite sheet: nothing but the effect.
+      if (plan.background.kind != render::Background::Kind::transparent) render::captionCell(sheet, plan.width, plan.height, column, row, caption(shot.time_s));
+      return {};
+    });
+    return drawn ? saveOne(sheet) : drawn;
+  }
+
+  Expected<void> drawTemplate(const Preset& preset) {
+    render::TemplateScene scene;
+    scene.preset = &preset;
+    scene.layer = *templateLayer(run_.plan, preset);
+    scene.view = run_.plan.view;
+    scene.background = run_.plan.background;
+    const auto image = run_.renderer.drawToImage(scene, run_.plan.width, run_.plan.height);
+    return image ? saveOne(*image) : tl::unexpected<Error>(image.error());
+  }
+
+  Expected<void> saveOne(const render::Image& image) {
+    auto saved = run_.save(items_.front(), image);
+    if (!saved) return saved;
+    run_.items[items_.front()].state = FileState::written;
+    progress_.show(done_ + 1);
+    return {};
+  }
+
+  RenderRun& run_;
+  std::vector<std::size_t> items_;
+  Progress& progress_;
+  std::size_t done_;
+};
+
+}  // namespace
+
+Expected<void> drawItems(RenderRun& run) {
+  std::vector<std::vector<std::size_t>> by_preset(run.presets.size());
+  std::size_t total = 0, done = 0;
+  for (std::size_t i = 0; i < run.items.size(); ++i) {
+    if (run.items[i].state != FileState::planned) continue;
+    by_preset[run.items[i].preset].push_back(i);
+    ++total;
+  }
+  Progress progress(run.plan.kind == RenderKind::sequence ? "frame" : "picture", total, run.progress);
+  for (std::vector<std::size_t>& items : by_preset) {
+    if (items.empty()) continue;
+    const std::size_t count = items.size();
+    if (auto drawn = PresetRun(run, std::move(items), progress, done).draw(); !drawn) return drawn;
+    done += count;
+  }
+  return {};
+}
+
+}  // namespace npsee::commands

@@ -1,0 +1,83 @@
+#include "app/commands/render_work.h"
+
+#include "app/render/png_text.h"
+#include "sim/core/files.h"
+#include "sim/core/parallel.h"
+#include "sim/core/sha256.h"
+
+#include <npsee/units.h>
+
+#include <system_error>
+
+namespace npsee::commands {
+namespace {
+
+constexpr std::size_t kMaxFinishedFile = 400u << 20;
+
+std::string timeText(const Moment& moment) { return moment.share ? shortest(100.0 * moment.value) + "%" : shortest(moment.value) + "s"; }
+
+std::string kindText(const RenderPlan& plan) {
+  constexpr std::string_view kViews[] = {"splines", "polygons", "surface"};
+  if (plan.kind == RenderKind::template_view) return "template " + std::string(kViews[static_cast<std::size_t>(plan.view)]);
+  if (plan.kind != RenderKind::sheet) return "picture";
+  std::string out = "sheet " + std::to_string(plan.columns) + 'x' + std::to_string(plan.rows);
+  if (plan.range_s) out += " from " + shortest(plan.range_s->first) + "s to " + shortest(plan.range_s->second) + 's';
+  return out;
+}
+
+std::string backgroundText(const render::Background& background) {
+  using Kind = render::Background::Kind;
+  if (background.kind == Kind::sky) return "sky";
+  if (background.kind == Kind::transparent) return "transparent";
+  const Colour& c = background.colour;
+  return shortest(c.r) + ',' + shortest(c.g) + ',' + shortest(c.b);
+}
+
+/// All but the preset and the time.
+std::string planText(const RenderPlan& plan) {
+  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n';
+}
+
+std::string timeOf(const RenderPlan& plan, std::int64_t number) {
+  if (plan.kind == RenderKind::sequence) return timeText({plan.rate.timeOf(number), false});
+  return plan.kind == RenderKind::picture ? timeText(plan.moments.at(static_cast<std::size_t>(number))) : std::string();
+}
+
+}  // namespace
+
+std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& presets, const OutputNames& names) {
+  std::vector<WorkItem> out;
+  const std::string options = planText(plan);
+  std::int64_t file = 0;
+  for (std::size_t p = 0; p < presets.size(); ++p) {
+    std::string content = sha256(presetText(presets[p]));
+    if (plan.kind == RenderKind::template_view) content += " layer " + std::to_string(*templateLayer(plan, presets[p]));
+    for (std::int64_t i = 0; i < plan.filesPerPreset(); ++i, ++file) {
+      if (!plan.shard.takes(file)) continue;
+      const std::int64_t number = plan.numberOf(i);
+      out.push_back({p, number, names.path(p, number), sha256(options + content + '\n' + timeOf(plan, number)), FileState::planned});
+    }
+  }
+  return out;
+}
+
+bool isFinished(const WorkItem& item) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(item.path, ignored)) return false;
+  const auto bytes = readTextFile(item.path, kMaxFinishedFile);
+  return bytes && render::textOfWholePng(*bytes, render::kRecipeKeyword) == item.recipe;
+}
+
+void skipFinished(std::vector<WorkItem>& items, int threads) {
+  parallelFor(threads, items.size(), [&](std::size_t i) {
+    if (isFinished(items[i])) items[i].state = FileState::skipped;
+  });
+}
+
+Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item) {
+  auto bytes = render::encodePng(image);
+  if (bytes) render::insertPngText(*bytes, render::kRecipeKeyword, item.recipe);
+  return bytes;
+}
+
+}  // namespace npsee::commands

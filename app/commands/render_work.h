@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/commands/render_output.h"
+#include "app/commands/render_plan.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace npsee::commands {
+
+/// What is known of a file of a run.
+enum class FileState { planned, skipped, written, missing };
+
+/// One file to make.
+struct WorkItem {
+  std::size_t preset = 0;
+  std::int64_t number = 0;  ///< frame number, or which of the moments; see RenderPlan::numberOf
+  std::filesystem::path path;
+  std::string recipe;       ///< fingerprint of all that its pixels depend on
+  FileState state = FileState::planned;
+};
+
+/// The files of this call (of its shard), in order of presets and numbers.
+std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& presets, const OutputNames& names);
+
+/// Whether the file is there, whole, and made by this recipe.
+bool isFinished(const WorkItem& item);
+
+/// Marks the finished files as skipped.
+void skipFinished(std::vector<WorkItem>& items, int threads);
+
+/// A picture as PNG with its recipe inside.
+Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item);
+
+}  // namespace npsee::commands

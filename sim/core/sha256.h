@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace npsee {
+
+/// SHA-256 (FIPS 180-4), for fingerprints that have to be the same on every machine.
+class Sha256 {
+ public:
+  void add(std::string_view bytes);
+  /// 64 hexadecimal digits. Nothing may be added afterwards.
+  std::string hex();
+
+ private:
+  void block(const unsigned char* bytes);
+
+  std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::array<unsigned char, 64> waiting_{};
+  std::uint64_t size_ = 0;  ///< bytes so far
+};
+
+std::string sha256(std::string_view bytes);
+
+}  // namespace npsee
