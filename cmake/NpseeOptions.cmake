@@ -9,9 +9,10 @@ target_compile_options(npsee_options INTERFACE -Wno-psabi)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in `"text" + std::string` that cannot be (GCC bug 105651).
   target_compile_options(npsee_options INTERFACE -Wno-restrict)
-  # Likewise sizes near 2^63 in strings that it inlines (GCC bugs 105651, 105329). Builds with less inlining keep these warnings.
+  # Likewise sizes near 2^63 in strings that it inlines (GCC bugs 105651, 105329), and empty std::optional (GCC bug 80635). Builds with
+  # less inlining keep these warnings.
   target_compile_options(npsee_options INTERFACE
-    "$<$<CONFIG:Release>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
+    "$<$<CONFIG:Release>:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds;-Wno-maybe-uninitialized>")
 endif()
 target_compile_features(npsee_options INTERFACE cxx_std_20)
 
