@@ -117,7 +117,7 @@ TEST(Sight, ANarrowRidgeHidesWhatTheSampledTestSees) {
 }
 
 TEST(Sight, AnEyeOrATargetBelowTheGroundIsBlocked) {
-  const Terrain ground = terrain(test::hills(1), 20000.0, 20000.0);
+  const Terrain ground = terrain(test::hills(1, 80.0), 20000.0, 20000.0);
   const Vec3 high{10000.0, 2000.0, 10000.0};
   for (const double depth : {0.01, 1.0, 100.0}) {
     const Vec3 below = overGround(ground, 4000.0, 7000.0, -depth);
@@ -154,7 +154,7 @@ TEST(Sight, OutsideTheWorldTheEdgeGoesOnLevel) {
 }
 
 TEST(Sight, WhatIsNoNumberIsNeverSeen) {
-  const Terrain ground = terrain(test::hills(4), 4000.0, 4000.0);
+  const Terrain ground = terrain(test::hills(4, 80.0), 4000.0, 4000.0);
   EXPECT_FALSE(ground.sight({NAN, 9000.0, 0.0}, {1.0, 9000.0, 1.0}).clear);
   EXPECT_FALSE(ground.sight({0.0, 9000.0, 0.0}, {1.0, INFINITY, 1.0}).clear);
   EXPECT_FALSE(ground.sightSampled({0.0, 9000.0, 0.0}, {1.0, NAN, 1.0}));

@@ -86,7 +86,7 @@ TEST(Terrain, FunctionsAreWhatTheirParametersSayAtAnyOffset) {
 
 TEST(Terrain, HillsHaveTheSeaAndTheReliefAskedFor) {
   for (const double share : {0.0, 0.1, 0.4}) {
-    TerrainSource source = test::hills(11);
+    TerrainSource source = test::hills(11, 60.0);
     source.sea_fraction = share;
     source.relief_m = 300.0;
     const Terrain ground = terrain(source, 30000.0, 20000.0, 50.0);
@@ -100,10 +100,10 @@ TEST(Terrain, HillsHaveTheSeaAndTheReliefAskedFor) {
 }
 
 TEST(Terrain, HillsAreSmoothCountryAtTheirCells) {
-  const Terrain ground = terrain(test::hills(21, 30.0), 15000.0, 15000.0);
+  const Terrain ground = terrain(test::hills(21, 30.0), 9000.0, 9000.0);
   double steepest = 0.0, bend = 0.0;
-  for (double z = 60.0; z < 14900.0; z += 60.0)
-    for (double x = 60.0; x < 14900.0; x += 30.0) {
+  for (double z = 60.0; z < 8900.0; z += 60.0)
+    for (double x = 60.0; x < 8900.0; x += 30.0) {
       const double west = ground.height(x - 30.0, z), here = ground.height(x, z), east = ground.height(x + 30.0, z);
       steepest = std::max(steepest, std::fabs(east - here) / 30.0);
       bend = std::max(bend, std::fabs(west - 2.0 * here + east) / 30.0);
@@ -115,16 +115,16 @@ TEST(Terrain, HillsAreSmoothCountryAtTheirCells) {
 
 TEST(Terrain, AnotherSeedIsAnotherCountryAndTheSameSeedTheSame) {
   const auto equal = [](const Terrain& a, const Terrain& b) { return std::equal(a.heights().begin(), a.heights().end(), b.heights().begin(), b.heights().end()); };
-  const Terrain one = terrain(test::hills(1), 8000.0, 8000.0);
-  EXPECT_TRUE(equal(one, terrain(test::hills(1), 8000.0, 8000.0)));
-  for (const std::int64_t seed : {std::int64_t{2}, std::int64_t{-1}, (std::int64_t{1} << 40) + 1}) EXPECT_FALSE(equal(one, terrain(test::hills(seed), 8000.0, 8000.0))) << seed;
+  const Terrain one = terrain(test::hills(1, 60.0), 8000.0, 8000.0);
+  EXPECT_TRUE(equal(one, terrain(test::hills(1, 60.0), 8000.0, 8000.0)));
+  for (const std::int64_t seed : {std::int64_t{2}, std::int64_t{-1}, (std::int64_t{1} << 40) + 1}) EXPECT_FALSE(equal(one, terrain(test::hills(seed, 60.0), 8000.0, 8000.0))) << seed;
 }
 
 TEST(Terrain, HillsHaveTheSameBitsOnAnyNumberOfThreads) {
-  const auto one = Terrain::make(test::hills(9), 9000.0, 12000.0, 0.0, 1);
+  const auto one = Terrain::make(test::hills(9, 60.0), 9000.0, 12000.0, 0.0, 1);
   ASSERT_TRUE(one);
   for (const int threads : {2, 3, 8}) {
-    const auto many = Terrain::make(test::hills(9), 9000.0, 12000.0, 0.0, threads);
+    const auto many = Terrain::make(test::hills(9, 60.0), 9000.0, 12000.0, 0.0, threads);
     ASSERT_TRUE(many);
     ASSERT_EQ(one->heights().size(), many->heights().size());
     EXPECT_EQ(std::memcmp(one->heights().data(), many->heights().data(), one->heights().size_bytes()), 0) << threads;
@@ -133,7 +133,7 @@ TEST(Terrain, HillsHaveTheSameBitsOnAnyNumberOfThreads) {
 
 TEST(Terrain, HillsOfEveryExtremeAreFinite) {
   for (const double scale : {100.0, 6000.0, 1e6})
-    for (const double size : {20.0, 3000.0})
+    for (const double size : {20.0, 1500.0})
       for (const double valley : {0.0, 1.0}) {
         TerrainSource source = test::hills(3);
         source.scale_m = scale;
@@ -146,7 +146,7 @@ TEST(Terrain, HillsOfEveryExtremeAreFinite) {
 }
 
 TEST(Terrain, ProfileRunsFromEndToEnd) {
-  const Terrain ground = terrain(test::hills(2), 10000.0, 10000.0, 20.0);
+  const Terrain ground = terrain(test::hills(2, 50.0), 10000.0, 10000.0, 20.0);
   const auto profile = ground.profile({1000.0, 0.0, 2000.0}, {4000.0, 0.0, 6000.0}, 101);
   ASSERT_EQ(profile.size(), 101u);
   EXPECT_EQ(profile.front().x, 1000.0);
@@ -160,7 +160,7 @@ TEST(Terrain, ProfileRunsFromEndToEnd) {
 }
 
 TEST(Terrain, CopiesShareTheirSamples) {
-  const Terrain ground = terrain(test::hills(2), 10000.0, 10000.0);
+  const Terrain ground = terrain(test::hills(2, 50.0), 10000.0, 10000.0);
   const Terrain copy = ground;  // NOLINT: the copy is the point
   EXPECT_EQ(copy.heights().data(), ground.heights().data());
 }
