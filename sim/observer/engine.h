@@ -91,6 +91,8 @@ struct FireMission {
   bool effect = false, over = false, waiting = true, danger_close = false, burning = false;
   int adjusting = 0, effects = 0, fired = 0, in_air = 0, messages = 0;
   double opened_s = 0.0, until_s = 0.0;
+  Vec3 bursts_m;                   ///< sum of the places of the rounds of this volley that are down
+  int bursts = 0;                  ///< their number
   std::vector<int> refused_guns;   ///< told once each
   double friendly_m = 1e9;
   std::vector<Task> tasks;
@@ -174,6 +176,8 @@ struct Mission::State {
   void decide(int post, const observer::Decision& decision);
   void call(int post, const observer::Decision& decision);
   void correct(int post, const observer::Decision& decision);
+  /// How far off the target the aim is, without the lead, m.
+  double aimError(const observer::FireMission& mission) const;
   void endMission(observer::FireMission& mission, const std::string& result, const std::string& reason, const observer::Decision* why);
   void tellMission(const observer::FireMission& mission, observer::MissionFact::State state, const std::string& reason = {});
 

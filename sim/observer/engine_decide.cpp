@@ -122,7 +122,7 @@ void Mission::State::correct(int p, const Decision& decision) {
   MissionEvent& event = log(EventKind::correction, now_s);
   event.fields = {{"observer", post.setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"round", std::int64_t{mission.adjusting}},
                   {"right_m", decision.right_m}, {"add_m", decision.add_m}, {"method", std::string(effect ? "fire_for_effect" : "adjust_fire")},
-                  {"position", mission.aim_m}, {"aim_error_m", levelDistance(mission.aim_m, vehicleAt(mission.target))}};
+                  {"position", mission.aim_m}, {"aim_error_m", aimError(mission)}};
   if (heard.changed || heard.lost) event.fields.push_back({"misheard", heard.how});
   if (mission.suggested) {
     // A person corrected: what the rules would have said, for the grade.
@@ -136,17 +136,24 @@ void Mission::State::correct(int p, const Decision& decision) {
   tellMission(mission, MissionFact::State::accepted);
 }
 
+double Mission::State::aimError(const FireMission& mission) const {
+  if (mission.target < 0) return levelDistance(mission.aim_m, mission.target_m);
+  // The aim is the target where he believes it, with the corrections; how far it has driven since is the lead's business.
+  const Vec3 off = posts[static_cast<std::size_t>(mission.post)].knows[static_cast<std::size_t>(mission.target)].error_m + (rec.scenario.fdc.absolute_relay ? Vec3{} : mission.correction_m);
+  return std::sqrt(off.x * off.x + off.z * off.z);
+}
+
 void Mission::State::endMission(FireMission& mission, const std::string& result, const std::string& reason, const Decision* why) {
   if (mission.over) return;
   mission.over = true;
   release(mission);
-  const Vec3 target = mission.target >= 0 ? vehicleAt(mission.target) : mission.target_m;
-  const double error = levelDistance(mission.aim_m, target);
+  const double error = aimError(mission);
   // Standard of world.md: within 50 m in at most three adjusting rounds is good.
   const std::string grade = error <= 50.0 ? (mission.adjusting <= 3 ? "good" : "slow") : "off";
   MissionEvent& event = log(EventKind::end_of_mission, now_s);
   event.fields = {{"observer", posts[static_cast<std::size_t>(mission.post)].setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"result", result}, {"reason", reason},
-                  {"rounds", std::int64_t{mission.fired}}, {"adjusting", std::int64_t{mission.adjusting}}, {"volleys", std::int64_t{mission.effects}}, {"aim_error_m", error}, {"grade", grade}, {"lasted_s", now_s - mission.opened_s}};
+                  {"rounds", std::int64_t{mission.fired}}, {"adjusting", std::int64_t{mission.adjusting}}, {"volleys", std::int64_t{mission.effects}}, {"aim_error_m", error}, {"lasted_s", now_s - mission.opened_s}};
+  if (mission.fired > 0) event.fields.push_back({"grade", grade});
   if (why) explain(event, *why);
   tellMission(mission, MissionFact::State::ended, reason);
 }

@@ -158,13 +158,20 @@ void Mission::State::spot(FireMission& mission, const ShellRecord& shell) {
 
 /// A round of the mission is down: when it was the last one, the observer takes the next step.
 void Mission::State::landed(FireMission& mission, const ShellRecord& shell) {
+  mission.bursts_m = mission.bursts_m + shell.burst_m;
+  ++mission.bursts;
   if (mission.in_air > 0 || !mission.tasks.empty()) return;
   Post& post = posts[static_cast<std::size_t>(mission.post)];
   if (mission.target >= 0 && post.knows[static_cast<std::size_t>(mission.target)].seen) tell(mission.post, mission.target, levelDistance(post.eye_m, vehicleAt(mission.target)));
+  // Of a volley he senses the middle.
+  ShellRecord middle = shell;
+  middle.burst_m = (1.0 / mission.bursts) * mission.bursts_m;
+  mission.bursts_m = {};
+  mission.bursts = 0;
   if (!mission.effect) {
     ++mission.adjusting;
     tellMission(mission, MissionFact::State::splash);
-    spot(mission, shell);
+    spot(mission, middle);
     return;
   }
   ++mission.effects;
@@ -183,6 +190,7 @@ void Mission::State::landed(FireMission& mission, const ShellRecord& shell) {
     return;
   }
   tellMission(mission, MissionFact::State::effect_over);
+  if (!lasting && !gone) spot(mission, middle);
 }
 
 int Mission::State::enemyInSight(int vehicle, double range_m) const {
