@@ -2,9 +2,10 @@
 
 #include "sim/core/files.h"
 #include "sim/observer/mind.h"
+#include "sim/world/scenario_files.h"
 
+#include <npsee/mission.h>
 #include <npsee/projectile.h>
-#include <npsee/scenario.h>
 #include <npsee/weapons.h>
 
 #include <CLI/CLI.hpp>
@@ -49,6 +50,18 @@ Expected<void> readRules(const fs::path& file) {
   return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
 }
 
+/// Reads a mission with everything that it names, up to its first tick. Setting it up finds what no single value shows: weapons that are
+/// not listed, a terrain that cannot be made, rules that do not load.
+Expected<void> readMission(const fs::path& file) {
+  const auto scenario = loadScenario(file);
+  if (!scenario) return tl::unexpected(scenario.error());
+  const auto mission = Mission::make(*scenario);
+  if (mission) return {};
+  Error error = mission.error();
+  world::placeFaults(file, error.faults);
+  return tl::unexpected(std::move(error));
+}
+
 /// Reads a file as what it is: weapons.dat, rules, a mission, a projectile, or else a preset. The error lists its faults.
 Expected<void> readWhole(const fs::path& file) {
   const auto lift = [](auto read) -> Expected<void> {
@@ -57,12 +70,12 @@ Expected<void> readWhole(const fs::path& file) {
   };
   if (file.extension() == ".clp") return readRules(file);
   if (file.extension() == ".dat") return lift(loadWeapons(file));
-  if (named(file, ".mission.json")) return lift(loadScenario(file));
+  if (named(file, ".mission.json")) return readMission(file);
   if (!named(file, ".npsee.json"))
     if (const auto text = readTextFile(file)) {
       const auto mentions = [&](std::string_view word) { return text->find(word) != std::string::npos; };
       if (mentions("\"npsee_projectile\"")) return lift(parseProjectile(*text, file.string()));
-      if (mentions("\"npsee_mission\"") || mentions("\"npsnet-scenario/")) return lift(loadScenario(file));
+      if (mentions("\"npsee_mission\"") || mentions("\"npsnet-scenario/")) return readMission(file);
     }
   return lift(loadPreset(file));
 }

@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 #include "app/commands/mission_statistics.h"
 #include "sim/core/parallel.h"
+#include "sim/world/scenario_files.h"
 
 #include <npsee/mission.h>
 #include <npsee/units.h>
@@ -56,9 +57,15 @@ int exitOf(const Recording& recording) {
   return 0;
 }
 
+/// What --set has changed is not at the lines of the file.
+int reportSetUp(const Options& options, Error error) {
+  if (options.settings.empty()) world::placeFaults(options.file, error.faults);
+  return report(error);
+}
+
 int runOnce(const Options& options, const Scenario& scenario, std::optional<double> until) {
   const auto recording = runMission(scenario, until);
-  if (!recording) return report(recording.error());
+  if (!recording) return reportSetUp(options, recording.error());
   if (!options.quiet)
     if (const int code = writeResult(eventLog(*recording)); code != 0) return code;
   if (!options.record.empty())

@@ -8,16 +8,36 @@ namespace npsee {
 
 using namespace observer;
 
+namespace {
+
+/// The error with faults that name no place put at a value of the mission file.
+Error at(const std::string& pointer, Error error) {
+  for (Fault& fault : error.faults)
+    if (fault.file.empty() && fault.pointer.empty()) fault.pointer = pointer;
+  return error;
+}
+
+}  // namespace
+
 Expected<void> Mission::State::setUp(const Scenario& given) {
-  auto resolved = world::resolved(given);
+  std::vector<Fault> doubts;
+  auto resolved = world::resolved(given, &doubts);
   if (!resolved) return tl::unexpected(resolved.error());
   rec.scenario = std::move(*resolved);
   const Scenario& sc = rec.scenario;
   if (auto faults = validate(sc); !faults.empty()) return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
 
+  for (const Fault& doubt : doubts) log(EventKind::warning, 0.0).fields = {{"text", doubt.what}};
+
   auto terrain = Terrain::make(world::missionTerrain(sc), sc.world.size_x_m, sc.world.size_z_m, sc.world.sea_level_m);
-  if (!terrain) return tl::unexpected(terrain.error());
+  if (!terrain) return tl::unexpected(at("/world/terrain", terrain.error()));
   rec.terrain = std::move(*terrain);
+  if (sc.world.size_x_m == 0.0 || sc.world.size_z_m == 0.0) {
+    // The terrain file says how large the world is, and with that whether everything lies in it.
+    rec.scenario.world.size_x_m = rec.terrain.sizeX();
+    rec.scenario.world.size_z_m = rec.terrain.sizeZ();
+    if (auto faults = validate(sc); !faults.empty()) return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
+  }
   auto read = world::missionWeapons(sc);
   if (!read) return tl::unexpected(read.error());
   weapons = std::move(*read);
@@ -41,12 +61,12 @@ Expected<void> Mission::State::setUpBatteries() {
     battery.setup = &setup;
     battery.weapon = weapons.find(std::to_string(setup.weapon));
     if (!battery.weapon)
-      return npsee::fail(ErrorKind::input, "Battery " + setup.id + " has weapon " + std::to_string(setup.weapon) + ", which the weapons file does not list (/batteries/" + std::to_string(b) + "/weapon).",
-                         "`npsee weapons FILE` shows the ids there are.");
+      return tl::unexpected(at("/batteries/" + std::to_string(b) + "/weapon", npsee::fail(ErrorKind::input, "battery " + setup.id + " has weapon " + std::to_string(setup.weapon) + ", which the weapons file does not list.",
+                                                                                         "`npsee weapons FILE` shows the ids there are.").value()));
     // Lasers and bombs need no fire direction; what they do instead is in engine_lines.cpp.
     if (battery.weapon->path != PathType::linear && battery.weapon->path != PathType::gravity_bomb) {
       auto fdc = FireDirection::make(setup, *battery.weapon, rec.terrain, sc.world.weather, sc.fdc);
-      if (!fdc) return tl::unexpected(fdc.error());
+      if (!fdc) return tl::unexpected(at("/batteries/" + std::to_string(b), fdc.error()));
       battery.fdc.emplace(std::move(*fdc));
     }
     if (battery.fdc)

@@ -37,9 +37,12 @@ BatterySetup missionBattery(const Scenario& scenario, std::size_t battery);
 /// The terrain with its file's path made ready to open.
 TerrainSource missionTerrain(const Scenario& scenario);
 
+/// Gives faults that name no file the mission file, the line of their pointer in it, or of the nearest object around it that the file has.
+void placeFaults(const std::filesystem::path& mission_file, std::vector<Fault>& faults);
+
 /// The mission with what it leaves to the thesis's facts (appendix B.C): where it lists no observer, no batteries, or an observer
 /// without mission orders, they come from the facts file it names, orders and guns also from an observer's own `rules` if those hold facts. Resolving
-/// twice changes nothing. `warnings` gets what is doubtful in the facts. Error kind input, with file and line.
+/// twice changes nothing. `warnings` gets what is doubtful: in the facts, and observers who have no orders. Error kind input, with file and line.
 Expected<Scenario> resolved(const Scenario& scenario, std::vector<Fault>* warnings = nullptr);
 
 }  // namespace npsee::world

@@ -48,16 +48,6 @@ void checkForeign(const JsonText& json, std::vector<Fault>& faults) {
     faults.push_back(json.fault("/world/georef", "the world is synthetic and has no place on Earth, so lat0 and lon0 must be 0.", "Leave georef out."));
 }
 
-/// A fault of the value, placed in the file: at its pointer, or at the nearest object around it that the file has.
-Fault placed(const JsonText& json, const ScenarioFault& fault, bool foreign) {
-  std::string pointer = fault.pointer;
-  if (foreign)
-    for (const auto& [plural, single] : {std::pair<std::string, std::string>{"/batteries/0", "/battery"}, {"/observers/0", "/observer"}})
-      if (pointer.starts_with(plural) && json.line(plural) == 0) pointer = single + pointer.substr(plural.size());
-  while (!pointer.empty() && json.line(pointer) == 0) pointer.resize(pointer.rfind('/'));
-  return json.fault(pointer, fault.what, fault.remedy);
-}
-
 /// Files that the mission names must be there.
 void checkFiles(const Struct& table, const void* object, const std::string& pointer, const std::filesystem::path& folder, std::vector<ScenarioFault>& faults) {
   for (const Field& field : table.fields) {
@@ -70,6 +60,15 @@ void checkFiles(const Struct& table, const void* object, const std::string& poin
     if (path.empty()) continue;
     if (const auto found = findNamed(folder, path); !found) faults.push_back({here, found.error().faults.front().what, found.error().faults.front().remedy});
   }
+}
+
+/// Pointer of the object in the file that is the value meant, or the nearest around it.
+std::string nearestPointer(const JsonText& json, std::string pointer, bool foreign) {
+  if (foreign)
+    for (const auto& [plural, single] : {std::pair<std::string, std::string>{"/batteries/0", "/battery"}, {"/observers/0", "/observer"}})
+      if (pointer.starts_with(plural) && json.line(plural) == 0) pointer = single + pointer.substr(plural.size());
+  while (!pointer.empty() && json.line(pointer) == 0) pointer.resize(pointer.rfind('/'));
+  return pointer;
 }
 
 Expected<Scenario> readScenario(std::string_view text, std::string_view name, const std::filesystem::path& folder, bool files) {
@@ -91,7 +90,7 @@ Expected<Scenario> readScenario(std::string_view text, std::string_view name, co
   if (faults.empty()) {
     std::vector<ScenarioFault> relations = relationFaults(scenario);
     if (files) checkFiles(missionTable(), &scenario, "", folder, relations);
-    for (const ScenarioFault& fault : relations) faults.push_back(placed(*json, fault, foreign));
+    for (const ScenarioFault& fault : relations) faults.push_back(json->fault(nearestPointer(*json, fault.pointer, foreign), fault.what, fault.remedy));
   }
   if (faults.size() >= kMostFaults) faults.push_back(json->fault("", "there may be more faults; the first " + std::to_string(kMostFaults) + " are listed.", ""));
   if (!faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
@@ -99,6 +98,19 @@ Expected<Scenario> readScenario(std::string_view text, std::string_view name, co
 }
 
 }  // namespace
+
+void placeFaults(const std::filesystem::path& mission_file, std::vector<Fault>& faults) {
+  const auto text = readTextFile(mission_file);
+  const auto json = text ? JsonText::parse(*text, mission_file.string()) : Expected<JsonText>(fail(ErrorKind::input, ""));
+  for (Fault& fault : faults) {
+    if (!fault.file.empty()) continue;
+    fault.file = mission_file.string();
+    if (!json || fault.pointer.empty()) continue;
+    fault.pointer = nearestPointer(*json, fault.pointer, json->root().contains("format"));
+    fault.line = json->line(fault.pointer);
+  }
+}
+
 }  // namespace world
 
 Expected<Scenario> parseScenario(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
