@@ -29,7 +29,7 @@ float nearLook(float distance_m, float rough) {
   vec2 at = v_place.xz * u_noise_scale.y;
   float coarse = texture(u_noise, u_noise_at.zw + at).r - 0.5, fine = texture(u_noise, fract(u_noise_at.zw * 13.0) + 13.0 * at).r - 0.5;
   float pixel = distance_m * u_pixel;
-  return 1.0 + rough * (0.55 * coarse / (1.0 + 0.10 * pixel) + 0.75 * fine / (1.0 + 3.0 * pixel));
+  return 1.0 + rough * (0.60 * coarse / (1.0 + 0.10 * pixel) + 1.10 * fine / (1.0 + 3.0 * pixel));
 }
 
 vec3 land(float distance_m, bool from_near) {

@@ -47,6 +47,28 @@ void FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, con
   lay(target, tiles, behind != nullptr ? 1 : 0, plain);
 }
 
+Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles) {
+  gl::Program& program = target.smooth() ? mission_smooth_ : mission_;
+  if (!program) {
+    auto made = gl::Program::fromFiles("tiles.vert", target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag");
+    if (!made) return tl::unexpected<Error>(made.error());
+    program = std::move(*made);
+  }
+  target.bindFinished();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  program.use();
+  program.set("u_scene", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
+  glBindSampler(0, 0);
+  tiles.draw(program, 0.0f);
+  return {};
+}
+
 void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const {
   target.bindFinished();
   glDisable(GL_DEPTH_TEST);

@@ -21,10 +21,14 @@ class FinishPass {
   /// Lays it over a plain colour, or over nothing (null): a transparent picture.
   void drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind) const;
 
+  /// A mission's picture, which covers everything. Error kind graphics when its shader does not compile.
+  Expected<void> drawMission(const Target& target, const TileMesh& tiles);
+
  private:
   void lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const;
 
   gl::Program clear_, single_, smooth_;
+  gl::Program mission_, mission_smooth_;  // made when first needed
 };
 
 }  // namespace npsee::render

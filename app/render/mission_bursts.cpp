@@ -57,7 +57,9 @@ bool mayBeSeen(const MissionEye& eye, const Vec3& at, double radius_m) {
 std::shared_ptr<const Preset> MissionBursts::presetOf(const Recording& recording, const ShellRecord& shell, const MissionView& view) {
   for (const int number : {shell.number, 0})
     if (const auto found = view.presets.find(number); found != view.presets.end() && found->second != nullptr) return found->second;
-  return shelf_.find(shell.preset, recording.scenario.folder);
+  // Where the mission names none: what a weapon of that kind does.
+  const std::string name = !shell.preset.empty() ? shell.preset : shell.gun < 0 ? "impact_small" : "howitzer_155";
+  return shelf_.find(name, recording.scenario.folder);
 }
 
 std::shared_ptr<const Explosion> MissionBursts::compiledFor(const Recording& recording, const Key& key, int threads) {
@@ -126,7 +128,8 @@ void MissionBursts::prepare(const Recording& recording, double time_s, const Mis
   for (const int index : recent) {
     if (bursts_.size() >= kMostBursts) break;
     const ShellRecord& shell = recording.shells[static_cast<std::size_t>(index)];
-    if (!shell.illumination) addBurst(recording, shell, time_s, view, eye);
+    // Light and smoke have their own looks, unless the mission asks for a preset.
+    if ((!shell.illumination && !shell.smoke) || !shell.preset.empty()) addBurst(recording, shell, time_s, view, eye);
   }
   for (Smoke& smoke : missionSmoke(recording, time_s, eye)) {
     Drawn& drawn = next();

@@ -10,7 +10,7 @@ namespace {
 
 /// Height at which a target stands for the fan, m, and the clearance from which sight counts as free.
 constexpr double kTarget_m = 1.8, kFree_m = 12.0;
-constexpr int kRays = 300, kRings = 60;
+constexpr int kRays = 420, kRings = 72;
 
 std::array<float, 4> fanColour(double clearance_m) {
   const auto mixed = [](const std::array<float, 4>& a, const std::array<float, 4>& b, double t) {
@@ -18,7 +18,7 @@ std::array<float, 4> fanColour(double clearance_m) {
     for (std::size_t k = 0; k < 4; ++k) out[k] = static_cast<float>(static_cast<double>(a[k]) + t * static_cast<double>(b[k] - a[k]));
     return out;
   };
-  constexpr std::array<float, 4> kClear{0.35f, 0.80f, 0.42f, 0.34f}, kBarely{0.93f, 0.74f, 0.25f, 0.36f}, kHidden{0.80f, 0.22f, 0.18f, 0.34f}, kDeep{0.30f, 0.05f, 0.07f, 0.36f};
+  constexpr std::array<float, 4> kClear{0.25f, 0.85f, 0.45f, 0.34f}, kBarely{0.95f, 0.82f, 0.25f, 0.38f}, kHidden{0.85f, 0.20f, 0.16f, 0.38f}, kDeep{0.45f, 0.06f, 0.10f, 0.30f};
   if (clearance_m >= 0.0) return mixed(kBarely, kClear, std::min(clearance_m / kFree_m, 1.0));
   return mixed(kHidden, kDeep, std::min(-clearance_m / 60.0, 1.0));
 }
@@ -97,12 +97,13 @@ double pixelsOfMil(const MissionEye& eye, double mil) { return 0.5 * eye.height 
 std::vector<ScreenStroke> reticleOf(const MissionEye& eye, double field_mil, bool night) {
   const double cx = 0.5 * eye.width, cy = 0.5 * eye.height;
   const double scale = std::max(1.0, std::min(eye.width, eye.height) / 720.0);
-  const StrokeStyle fine{night ? Colour{0.95, 0.42, 0.20} : Colour{0.02, 0.03, 0.03}, 1.2 * scale, night ? 0.75 : 0.88, 1.0, 0.0};
+  const StrokeStyle fine{night ? Colour{0.95, 0.42, 0.20} : Colour{0.02, 0.03, 0.03}, 1.4 * scale, night ? 0.75 : 0.88, 1.0, 0.0};
   std::vector<ScreenStroke> out;
   // Wide fields have coarser scales, so that ticks stay apart.
   const int step = field_mil <= 60.0 ? 1 : field_mil <= 300.0 ? 5 : field_mil <= 700.0 ? 25 : 50;
   const int reach = static_cast<int>(0.40 * field_mil / step) * step;
-  const double gap = 4.0 * scale;
+  // Free in the middle, where the target is.
+  const double gap = std::max(pixelsOfMil(eye, 0.4 * step), 4.0 * scale);
   const auto tick = [&](int mil, bool across) {
     const double at = pixelsOfMil(eye, mil);
     const bool major = mil % (2 * step) == 0;
@@ -123,8 +124,7 @@ std::vector<ScreenStroke> reticleOf(const MissionEye& eye, double field_mil, boo
   out.push_back({{{cx - far, cy}, {cx - gap, cy}}, fine});
   out.push_back({{{cx + gap, cy}, {cx + far, cy}}, fine});
   out.push_back({{{cx, cy - high}, {cx, cy - gap}}, fine});
-  out.push_back({{{cx, cy + gap}, {cx, cy + 3.0 * gap}}, fine});
-  out.push_back({{{cx, cy}}, {fine.colour, 2.4 * scale, fine.opacity, 1.0, 0.0}});
+  out.push_back({{{cx, cy + gap}, {cx, cy + gap + 14.0 * scale}}, fine});
   // The azimuth looked along, in whole mils, below.
   const Vec3 ahead = -1.0 * eye.lens.back;
   int azimuth = static_cast<int>(std::lround(toUnit(Unit::mil, std::atan2(ahead.x, -ahead.z))));

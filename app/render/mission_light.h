@@ -13,6 +13,7 @@ struct Flare {
   Vec3 at_m;              ///< in the world
   double radius_m = 0.0;  ///< lit on the ground
   double strength = 1.0;  ///< 0..1
+  friend bool operator==(const Flare&, const Flare&) = default;
 };
 
 /// Light and air of a mission at a moment.
@@ -21,6 +22,7 @@ struct MissionLight {
   double visibility_m = 20000.0;  ///< contrast falls to 2 % over this; 0 = clear
   double sea_m = 0.0;             ///< level at which the haze is as dense as the visibility says
   std::vector<Flare> flares;      ///< the strongest kMostFlares count
+  friend bool operator==(const MissionLight&, const MissionLight&) = default;
 };
 inline constexpr std::size_t kMostFlares = 6;
 

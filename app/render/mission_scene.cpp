@@ -1,5 +1,6 @@
 #include "app/render/mission_scene.h"
 
+#include "app/render/ground_picture.h"
 #include "app/render/mission_bursts.h"
 #include "app/render/mission_models.h"
 #include "app/render/mission_overlays.h"
@@ -7,7 +8,7 @@
 #include "app/render/model_pass.h"
 #include "app/render/overlay_pass.h"
 #include "app/render/terrain_pass.h"
-#include "sim/world/shipped_texts.h"
+#include "sim/world/scenario_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,16 @@ using Kind = MissionCamera::Kind;
 MissionLight mapLight() {
   MissionLight light;
   light.visibility_m = 0.0;
+  return light;
+}
+
+/// The hour's light and air. An observer sees through the air as it is; a camera that nobody stands behind sees at least what it
+/// looks at.
+MissionLight lightFor(const Recording& recording, double time_s, const MissionCamera& camera, const MissionEye& eye) {
+  MissionLight light = lightAt(recording, time_s);
+  constexpr double kMostAir = 0.5;  // optical depth to the subject
+  const double distance_m = camera.kind == Kind::observer ? 0.0 : camera.kind == Kind::free ? length(camera.target - eye.lens.eye) : camera.distance_m;
+  light.visibility_m = std::max(light.visibility_m, 3.912 * distance_m / kMostAir);
   return light;
 }
 
@@ -40,11 +51,6 @@ TerrainLines linesOf(const MissionView& view, const MissionEye& eye) {
 /// The glow of an observer's naked eye needs no reticle; binoculars have one.
 double circleRadius(const MissionEye& eye) { return 0.5 * kCircleShare * std::min(eye.width, eye.height); }
 
-Expected<Weapons> weaponsOf(const Scenario& scenario) {
-  if (!scenario.weapons.empty()) return loadWeapons(scenario.folder / scenario.weapons);
-  return parseWeapons(world::shippedWeapons(), "weapons.dat");
-}
-
 }  // namespace
 
 struct MissionScene::Impl {
@@ -59,6 +65,7 @@ struct MissionScene::Impl {
     TerrainPass terrain;
     ModelPass models;
     OverlayPass overlay;
+    GroundPicture kept;
   };
   std::unique_ptr<Passes> passes;
   struct Fan {
@@ -72,6 +79,7 @@ struct MissionScene::Impl {
 
   Expected<void> makePasses();
   void drawSky(const View& view, const MissionEye& eye, const MissionLight& light) const;
+  void drawGround(const GroundKey& key, const View& view, const MissionEye& eye);
   void drawAreas(const std::vector<GroundCorner>& corners, const MissionEye& eye, const View& view, double extinction_per_m, double nearer);
   void drawFan(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const View& at_origin);
   void drawOverlays(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const View& at_origin, bool night);
@@ -107,6 +115,15 @@ void MissionScene::Impl::drawSky(const View& view, const MissionEye& eye, const 
   passes->sky.set("u_depth", 1.0f);
   glBindVertexArray(passes->nothing.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void MissionScene::Impl::drawGround(const GroundKey& key, const View& view, const MissionEye& eye) {
+  if (passes->kept.restore(key)) return;
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  passes->terrain.draw(ground, eye.lens.eye, view, key.width, key.height, key.light, key.lines);
+  drawSky(view, eye, key.light);
+  passes->kept.drawn(key);
 }
 
 void MissionScene::Impl::drawAreas(const std::vector<GroundCorner>& corners, const MissionEye& eye, const View& view, double extinction_per_m, double nearer) {
@@ -150,7 +167,7 @@ Expected<std::unique_ptr<MissionScene>> MissionScene::make(const Recording& reco
   auto impl = std::make_unique<Impl>();
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   impl->ground = TerrainModel::make(recording.terrain, threads);
-  auto weapons = weaponsOf(recording.scenario);
+  auto weapons = world::missionWeapons(recording.scenario);
   if (!weapons) return tl::unexpected<Error>(weapons.error());
   impl->weapons = std::move(*weapons);
   return std::unique_ptr<MissionScene>(new MissionScene(std::move(impl)));
@@ -172,14 +189,14 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
   if (!own.ground.of(recording.terrain)) {
     own.ground = TerrainModel::make(recording.terrain, view.threads);
     own.passes->terrain.forget();
+    own.passes->kept.forget();
   }
   const MissionEye eye = missionEye(recording, time_s, view.camera, width, height);
   const View at_origin = eye.view();
   const bool map = eye.kind == Kind::plan;
-  const MissionLight light = map ? mapLight() : lightAt(recording, time_s);
+  const MissionLight light = map ? mapLight() : lightFor(recording, time_s, view.camera, eye);
 
-  own.passes->terrain.draw(own.ground, eye.lens.eye, at_origin, width, height, light, linesOf(view, eye));
-  own.drawSky(at_origin, eye, light);
+  own.drawGround({eye.lens, width, height, boundSamples(), light, linesOf(view, eye), recording.terrain.heights().data()}, at_origin, eye);
   if (view.overlays.scorch) own.drawAreas(scorchMarks(recording, time_s, eye), eye, at_origin, extinctionOf(light.visibility_m), 0.003);
   const std::vector<ModelInstance> models = missionModels(recording, time_s, view, eye, own.passes->models);
   own.passes->models.draw(models, eye.lens.eye, at_origin, light);

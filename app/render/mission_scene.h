@@ -66,7 +66,7 @@ struct MissionMark {
 /// The picture is a pure function of (recording, t, view, size): nothing depends on what was drawn before.
 class MissionScene {
  public:
-  /// Prepares the terrain; needs no GL context. Error kind input: a shipped model or preset is broken.
+  /// Prepares the terrain; needs no GL context. Error kind input: the mission's weapons.dat cannot be read.
   static Expected<std::unique_ptr<MissionScene>> make(const Recording& recording);
   ~MissionScene();
 
@@ -84,7 +84,7 @@ class MissionScene {
 
  private:
   friend class Renderer;
-  /// Draws into the bound, cleared framebuffer (linear premultiplied light, with depth).
+  /// Draws into the bound framebuffer (linear light, with depth), over whatever it holds.
   Expected<void> draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height);
 
   struct Impl;

@@ -6,7 +6,7 @@
 namespace npsee::render {
 namespace {
 
-constexpr std::size_t kMostWrecks = 40;
+constexpr std::size_t kMostWrecks = 40, kMostMuzzles = 48, kMostClouds = 16;
 /// A column of smoke is that many puffs, each this long in the air, s.
 constexpr int kPuffs = 20;
 constexpr double kPuffLife_s = 26.0, kBurning_s = 180.0;
@@ -90,6 +90,19 @@ Smoke muzzle(const ShellRecord& shell, double since_s, const Vec3& wind) {
   return maker.take();
 }
 
+/// A smoke shell's cloud: it stands over its place and churns.
+Smoke cloud(const ShellRecord& shell, double since_s) {
+  constexpr std::size_t kClouds = 44;
+  Maker maker(shell.burst_m);
+  const double grown = 1.0 - std::exp(-since_s / 4.0), left = std::clamp((kCloud_s - since_s) / 12.0, 0.0, 1.0);
+  for (std::size_t i = 0; i < kClouds; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / kClouds, turn = 6.283185307179586 * own(i, 0.3) + 0.05 * since_s * (own(i, 0.9) - 0.5);
+    const double reach = kCloudRadius_m * std::sqrt(share) * grown, height = kCloudHeight_m * own(i, 0.61) * (1.0 - 0.6 * share) * grown;
+    maker.add(Form::smoke, {reach * std::cos(turn), 2.5 + height + 0.8 * std::sin(0.4 * since_s + 9.0 * share), reach * std::sin(turn)}, (7.0 + 9.0 * own(i, 0.17)) * (0.35 + 0.65 * grown), {0.80, 0.80, 0.79}, 0.62 * left);
+  }
+  return maker.take();
+}
+
 /// A candle under its parachute, with the smoke it leaves.
 Smoke candle(const Flare& flare, double since_s, const Vec3& wind, double least_m) {
   Maker maker(flare.at_m);
@@ -101,6 +114,13 @@ Smoke candle(const Flare& flare, double since_s, const Vec3& wind, double least_
   const double flicker = 0.93 + 0.07 * std::sin(37.0 * since_s);
   maker.add(Form::flash, {}, std::max(26.0, least_m) * flicker, {1.0, 0.93, 0.74}, flare.strength);
   return maker.take();
+}
+
+/// Whether an effect of some metres at a place can be seen at all from the eye.
+bool near(const MissionEye& eye, const Vec3& at) {
+  const Vec3 from = at - eye.lens.eye;
+  const double depth = -dot(eye.lens.back, from);
+  return depth > -30.0 && 25.0 * eye.height > 2.0 * std::tan(0.5 * eye.lens.fov_y_rad) * depth;
 }
 
 double flareStrength(double since_s) { return std::clamp(since_s / 1.5, 0.0, 1.0) * std::clamp((kFlareBurn_s - since_s) / 6.0, 0.0, 1.0); }
@@ -132,16 +152,28 @@ std::vector<Smoke> missionSmoke(const Recording& recording, double time_s, const
     out.push_back(wreck(recording.vehiclePlace(i, time_s), i, std::max(since, 0.0), wind));
     ++wrecks;
   }
-  for (const ShellRecord& shell : recording.shells) {
-    if (shell.fired_s > time_s) break;
+  const std::size_t before = out.size();
+  std::size_t muzzles = 0, clouds = 0;
+  // The latest first, as far as there is room.
+  for (std::size_t i = recording.shells.size(); i-- > 0;) {
+    const ShellRecord& shell = recording.shells[i];
+    if (shell.fired_s > time_s) continue;
     const double fired = time_s - shell.fired_s, burst = time_s - shell.burst_s;
-    if (fired < kMuzzleSmoke_s) out.push_back(muzzle(shell, fired, wind));
+    if (fired < kMuzzleSmoke_s && muzzles < kMostMuzzles && near(eye, shell.muzzle_m)) {
+      out.push_back(muzzle(shell, fired, wind));
+      ++muzzles;
+    }
+    if (shell.smoke && burst >= 0.0 && burst < kCloud_s && clouds < kMostClouds) {
+      out.push_back(cloud(shell, burst));
+      ++clouds;
+    }
     if (shell.illumination && burst >= 0.0 && burst < kFlareBurn_s) {
       const Flare flare = flareOf(recording, shell, burst);
       const double metre_per_pixel = 2.0 * std::tan(0.5 * eye.lens.fov_y_rad) / eye.height * length(flare.at_m - eye.lens.eye);
       out.push_back(candle(flare, burst, wind, 14.0 * metre_per_pixel));
     }
   }
+  std::reverse(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
   std::erase_if(out, [](const Smoke& smoke) { return smoke.frame.count == 0; });
   return out;
 }

@@ -11,8 +11,10 @@
 
 namespace npsee::render {
 
-/// An illumination shell's candle: how long it burns and how fast it sinks on its parachute. Game values.
-inline constexpr double kFlareBurn_s = 75.0, kFlareSink_mps = 4.0, kFlareRadius_m = 600.0;
+/// An illumination shell's candle: how long it burns, what it lights (as in sim/observer/engine.h) and how fast it sinks on its parachute.
+inline constexpr double kFlareBurn_s = 60.0, kFlareRadius_m = 1000.0, kFlareSink_mps = 5.0;
+/// A smoke shell's cloud, likewise.
+inline constexpr double kCloud_s = 60.0, kCloudRadius_m = 40.0, kCloudHeight_m = 25.0;
 
 /// Particles around a place of the world, as a formula of the time: nothing is remembered from picture to picture.
 struct Smoke {

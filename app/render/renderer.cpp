@@ -134,10 +134,8 @@ Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& record
   mask.reset(target.width(), target.height());
   mask.markAll();
   tiles.upload(mask);
-  finish.clear(tiles);
   if (auto drawn = scene.draw(effects, recording, time_s, view, target.width(), target.height()); !drawn) return drawn;
-  const Colour black;
-  finish.drawOverColour(target, tiles, &black);
+  if (auto finished = finish.drawMission(target, tiles); !finished) return finished;
   return drawnWithoutError();
 }
 

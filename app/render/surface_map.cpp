@@ -16,13 +16,15 @@ std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(
 
 int sideOf(int samples) { return std::clamp(samples, kLeastSide, kMostSide); }
 
-/// Heights averaged widely: a place lower than its surroundings is a valley.
+/// A quantity that changes slowly over the land, on a coarse grid; heights averaged widely tell valleys from crests.
 class Broad {
  public:
-  Broad(const HeightGrid& grid, int reach) : values_(static_cast<std::size_t>(kCoarse) * kCoarse) {
+  /// `source` gives the value at a place in cells.
+  template <class Source>
+  Broad(const HeightGrid& grid, int reach, const Source& source) : values_(static_cast<std::size_t>(kCoarse) * kCoarse) {
     for (int j = 0; j < kCoarse; ++j)
-      for (int i = 0; i < kCoarse; ++i) values_[index(i, j)] = std::max(grid.height((grid.columns - 1.0) * i / (kCoarse - 1), (grid.rows - 1.0) * j / (kCoarse - 1)), grid.sea_m);
-    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < kCoarse; ++i) values_[index(i, j)] = source((grid.columns - 1.0) * i / (kCoarse - 1), (grid.rows - 1.0) * j / (kCoarse - 1));
+    for (int pass = 0; reach > 0 && pass < 2; ++pass) {
       blur(reach, true);
       blur(reach, false);
     }
@@ -95,10 +97,9 @@ Look lookOf(const Place& place) {
   constexpr Vec3 kGrass{0.128, 0.160, 0.056}, kMeadow{0.215, 0.222, 0.088}, kDry{0.270, 0.238, 0.128}, kForest{0.046, 0.076, 0.032}, kRock{0.225, 0.210, 0.190}, kSand{0.420, 0.365, 0.250};
   // The sun, the sky and the ground's own light: as in shaders/common.glsl.
   constexpr Vec3 kSun{-0.5263, 0.7105, 0.4671}, kSunLight{1.42, 1.32, 1.16}, kSkyLight{0.30, 0.35, 0.42}, kGroundLight{0.21, 0.19, 0.165};
-  const double broad = 0.6 * landNoise(place.x_m, place.z_m, 1900.0, 1) + 0.4 * landNoise(place.x_m, place.z_m, 610.0, 2);
   const double fine = 0.6 * landNoise(place.x_m, place.z_m, 170.0, 3) + 0.4 * landNoise(place.x_m, place.z_m, 62.0, 4);
   const double steep = 1.0 - 1.0 / std::sqrt(1.0 + place.east * place.east + place.south * place.south);
-  const double wet = std::clamp(place.moisture + 0.75 * (broad - 0.5) + 0.20 * (fine - 0.5), 0.0, 1.0);
+  const double wet = std::clamp(place.moisture + 0.20 * (fine - 0.5), 0.0, 1.0);
   Vec3 colour = mixed(kDry, kMeadow, smooth(0.15, 0.42, wet));
   colour = mixed(colour, kGrass, smooth(0.40, 0.60, wet));
   const double forest = smooth(0.60, 0.66, wet + 0.25 * (fine - 0.5)) * smooth(0.12, 0.04, steep) * smooth(4.0, 14.0, place.height_m);
@@ -107,11 +108,12 @@ Look lookOf(const Place& place) {
   colour = mixed(colour, kRock, rock);
   const double sand = 1.0 - smooth(1.2, 4.5, place.height_m + 1.6 * (fine - 0.5));
   colour = mixed(colour, kSand, sand);
-  colour = (0.88 + 0.24 * (fine - 0.5) + 0.18 * broad) * colour;
-  // Slopes are mostly gentle: shading steeper than they are shows the relief, as maps do.
-  constexpr double kSteeper = 2.4;
-  const double scale = 1.0 / std::sqrt(1.0 + kSteeper * kSteeper * (place.east * place.east + place.south * place.south));
-  const Vec3 normal{-kSteeper * place.east * scale, scale, -kSteeper * place.south * scale};
+  colour = (0.90 + 0.24 * (fine - 0.5) + 0.14 * wet) * colour;
+  // Slopes are mostly gentle: shading those steeper than they are shows the relief, as maps do.
+  const double slope = std::sqrt(place.east * place.east + place.south * place.south);
+  const double steeper = 1.0 + 6.0 / (1.0 + 10.0 * slope);
+  const double scale = 1.0 / std::sqrt(1.0 + steeper * steeper * slope * slope);
+  const Vec3 normal{-steeper * place.east * scale, scale, -steeper * place.south * scale};
   const double lambert = std::max(dot(normal, kSun), 0.0);
   const Vec3 ambient = place.open * mixed(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y);
   const Vec3 light = lambert * kSunLight + ambient;
@@ -149,7 +151,12 @@ SurfaceMap surfaceMapOf(const HeightGrid& grid, int threads) {
   map.width = sideOf(grid.columns);
   map.height = sideOf(grid.rows);
   map.texels.resize(4u * static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
-  const Broad near(grid, 2), wide(grid, 7);
+  const auto shown = [&](double x, double z) { return std::max(grid.height(x, z), grid.sea_m); };
+  const auto swells = [&](double x, double z) {
+    const double x_m = x * grid.cell_x_m, z_m = z * grid.cell_z_m;
+    return 0.6 * landNoise(x_m, z_m, 1900.0, 1) + 0.4 * landNoise(x_m, z_m, 610.0, 2);
+  };
+  const Broad near(grid, 2, shown), wide(grid, 7, shown), broad(grid, 0, swells);
   const double step_x = (grid.columns - 1.0) / map.width, step_z = (grid.rows - 1.0) / map.height;
   const double metre_x = step_x * grid.cell_x_m, metre_z = step_z * grid.cell_z_m;
   // Heights by which crests stand over their surroundings, typically: a few per cent of the coarse grid's reach.
@@ -166,7 +173,7 @@ SurfaceMap surfaceMapOf(const HeightGrid& grid, int threads) {
       place.east = (grid.height(x + 0.5 * step_x, z) - grid.height(x - 0.5 * step_x, z)) / metre_x;
       place.south = (grid.height(x, z + 0.5 * step_z) - grid.height(x, z - 0.5 * step_z)) / metre_z;
       const double h = place.height_m + grid.sea_m;
-      place.moisture = std::clamp(0.5 - 0.30 * (h - wide.at(u, v)) / relief + 0.10 * std::clamp(1.0 - place.height_m / 60.0, 0.0, 1.0), 0.0, 1.0);
+      place.moisture = 0.5 - 0.30 * (h - wide.at(u, v)) / relief + 0.10 * std::clamp(1.0 - place.height_m / 60.0, 0.0, 1.0) + 0.75 * (broad.at(u, v) - 0.5);
       place.open = std::clamp(0.96 + 0.22 * (h - near.at(u, v)) / relief, 0.55, 1.2);
       const Look look = lookOf(place);
       texel[0] = byteOf(std::sqrt(look.light.x));

@@ -34,6 +34,7 @@ struct TerrainLines {
   double strength = 1.0;        ///< 0 = none
   double grid_m = 1000.0;       ///< between the lines of the map's grid
   bool map = false;             ///< colours and lines of a map: no haze, less of the noise
+  friend bool operator==(const TerrainLines&, const TerrainLines&) = default;
 };
 
 /// Draws the ground and the sea. Corners are made anew for every picture from the eye's place in double precision, so that nothing

@@ -1,9 +1,14 @@
 #include "app/gl/objects.h"
+#include "app/render/mission_overlays.h"
 #include "app/render/mission_scene.h"
 #include "app/render/renderer.h"
 #include "tests/support/missions.h"
 
+#include <npsee/units.h>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace npsee::render {
 namespace {
@@ -128,6 +133,216 @@ TEST_F(Missions, TheSameMomentGivesTheSameBytesWhateverWasDrawnBefore) {
   view.threads = 3;
   ASSERT_TRUE(renderer_->drawToImage(**scene, made.recording, 3.5, view, 480, 270, image));
   EXPECT_EQ(image.rgba, first.rgba);
+}
+
+/// Pixels that differ, with their mean place.
+struct Difference {
+  int count = 0;
+  double x = 0.0, y = 0.0;
+};
+Difference differenceOf(const Image& a, const Image& b) {
+  Difference out;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      int most = 0;
+      for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
+      if (most < 12) continue;
+      ++out.count;
+      out.x += x + 0.5;
+      out.y += y + 0.5;
+    }
+  if (out.count > 0) out.x /= out.count, out.y /= out.count;
+  return out;
+}
+
+MissionView throughBinoculars() {
+  MissionView view;
+  view.camera.kind = MissionCamera::Kind::observer;
+  view.overlays.contours = false;
+  return view;
+}
+
+Terrain ridge(double crest_m) {
+  TerrainSource source;
+  source.kind = TerrainKind::function;
+  source.expression = "ridge";
+  source.params = {{"crest_x", 2000.0}, {"crest_height", crest_m}, {"foot_before", 200.0}, {"foot_after", 200.0}};
+  return test::terrainOf(source, 4000.0, -10.0);
+}
+
+TEST_F(Missions, ATargetAKnownNumberOfMilsAsideStandsOnThatTick) {
+  for (const int mil : {-40, -15, 10, 30}) {
+    test::HandRecording made(test::terrainOf({}, 4000.0, -10.0)), without(test::terrainOf({}, 4000.0, -10.0));
+    made.observer(500.0, 2000.0);
+    without.observer(500.0, 2000.0);
+    const double azimuth = toSi(Unit::mil, 1600.0), at = azimuth + toSi(Unit::mil, mil), range = 1500.0;
+    const int target = made.vehicle(500.0 + range * std::sin(at), 2000.0 - range * std::cos(at), Side::hostile, TargetClass::heavy_armor, at);
+    MissionView view = throughBinoculars();
+    view.camera.turn_rad = azimuth;
+    const int width = 1280, height = 720;
+    const MissionEye eye = missionEye(made.recording, 0.0, view.camera, width, height);
+    const double tick = 0.5 * width + pixelsOfMil(eye, mil);
+    const auto seen = eye.project(made.recording.vehiclePlace(static_cast<std::size_t>(target), 0.0) + Vec3{0.0, 2.5, 0.0});
+    ASSERT_TRUE(seen);
+    EXPECT_NEAR(seen->x, tick, 0.05) << mil;
+    // And in the picture: what the vehicle changes lies around the tick, which is drawn there.
+    const Image with = draw(made.recording, 0.0, view, width, height), empty = draw(without.recording, 0.0, view, width, height);
+    const Difference vehicle = differenceOf(with, empty);
+    ASSERT_GT(vehicle.count, 10) << mil;
+    EXPECT_NEAR(vehicle.x, tick, 2.0) << mil;
+    double dark = 255.0, beside = 0.0;
+    for (int dx = -1; dx <= 1; ++dx) dark = std::min(dark, brightness(empty.pixel(static_cast<int>(tick) + dx, height / 2 - 3)));
+    for (const int dx : {-5, 5}) beside = std::max(beside, brightness(empty.pixel(static_cast<int>(tick) + dx, height / 2 - 3)));
+    EXPECT_LT(dark, 0.8 * beside) << mil;
+  }
+}
+
+TEST_F(Missions, TheCircleOfTheBinocularsIsAsWideAsItsField) {
+  test::HandRecording made(test::terrainOf({}, 4000.0, -10.0));
+  made.observer(500.0, 2000.0);
+  MissionView view = throughBinoculars();
+  view.camera.field_mil = 100.0;
+  const MissionEye eye = missionEye(made.recording, 0.0, view.camera, 640, 360);
+  EXPECT_NEAR(pixelsOfMil(eye, 50.0), 0.5 * kCircleShare * 360, 1e-6);
+  const Image image = draw(made.recording, 0.0, view, 640, 360);
+  EXPECT_LT(brightness(image.pixel(20, 180)), 40.0);
+  EXPECT_GT(brightness(image.pixel(320, 60)), 60.0);
+}
+
+TEST_F(Missions, AVehicleBehindARidgeIsNotSeenFromTheObserversEye) {
+  for (const double crest : {60.0, 0.5}) {
+    test::HandRecording made(ridge(crest)), without(ridge(crest));
+    made.observer(500.0, 2000.0);
+    without.observer(500.0, 2000.0);
+    made.vehicle(3000.0, 2000.0, Side::hostile);
+    MissionView view = throughBinoculars();
+    view.camera.turn_rad = toSi(Unit::mil, 1600.0);
+    const Difference seen = differenceOf(draw(made.recording, 0.0, view), draw(without.recording, 0.0, view));
+    if (crest > 1.0) {
+      EXPECT_EQ(seen.count, 0);
+    } else {
+      EXPECT_GT(seen.count, 4);
+    }
+    auto scene = MissionScene::make(made.recording);
+    ASSERT_TRUE(scene);
+    for (const MissionMark& mark : (*scene)->marks(made.recording, 0.0, view, 480, 270))
+      if (mark.kind == MissionMark::Kind::vehicle && mark.index == 1) {
+        EXPECT_EQ(mark.hidden, crest > 1.0);
+      }
+  }
+}
+
+TEST_F(Missions, TheFollowingCameraHoldsTheShellInTheMiddle) {
+  test::HandRecording made(cone());
+  const int gun = made.gun(400.0, 3600.0, 0.8, 0.5);
+  made.fire(gun, 2.0, 180.0, "air_burst");
+  const ShellRecord& shell = made.recording.shells.front();
+  MissionCamera camera;
+  camera.kind = MissionCamera::Kind::follow;
+  camera.distance_m = 30.0;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const double t = shell.fired_s + share * (shell.burst_s - shell.fired_s);
+    const MissionEye eye = missionEye(made.recording, t, camera, 640, 360);
+    const auto pixel = eye.project(shell.at(t));
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR(pixel->x, 320.0, 0.5) << t;
+    EXPECT_NEAR(pixel->y, 180.0, 0.5) << t;
+  }
+  // The eye never sinks into the ground, from the muzzle to after the burst.
+  for (double t = 0.0; t < shell.burst_s + 5.0; t += 0.5) {
+    const Vec3 at = missionEye(made.recording, t, camera, 640, 360).lens.eye;
+    EXPECT_GT(at.y, made.recording.terrain.surface(at.x, at.z) + 1.0) << t;
+  }
+}
+
+TEST_F(Missions, ABurstShowsThePresetOfItsShellOrTheOneChosenInstead) {
+  test::HandRecording made(test::terrainOf({}, 2000.0, -10.0));
+  made.burst({1000.0, 0.0, 1000.0}, 1.0, "classic_1993");
+  MissionView view;
+  view.camera.target = {1000.0, 5.0, 1000.0};
+  view.camera.distance_m = 120.0;
+  const Image before = draw(made.recording, 0.5, view), own = draw(made.recording, 1.6, view);
+  EXPECT_GT(differenceOf(before, own).count, 50);
+  auto other = std::make_shared<Preset>();
+  other->layers.emplace_back();
+  view.presets[1] = other;
+  const Image swapped = draw(made.recording, 1.6, view);
+  EXPECT_GT(differenceOf(own, swapped).count, 20);
+  view.presets.clear();
+  view.presets[7] = other;
+  EXPECT_EQ(draw(made.recording, 1.6, view).rgba, own.rgba) << "another shell's";
+}
+
+TEST_F(Missions, AStandingCameraGivesTheBytesOfAFreshPicture) {
+  test::HandRecording made(cone());
+  made.vehicle(1500.0, 3300.0, Side::hostile, TargetClass::heavy_armor, 1.0, 8.0);
+  MissionView view;
+  view.camera.target = {1500.0, 40.0, 3300.0};
+  view.camera.distance_m = 200.0;
+  for (const bool smooth : {false, true}) {
+    view.smooth = smooth;
+    auto scene = MissionScene::make(made.recording);
+    ASSERT_TRUE(scene);
+    Image image;
+    for (const double t : {1.0, 2.0, 3.0, 4.0}) {
+      ASSERT_TRUE(renderer_->drawToImage(**scene, made.recording, t, view, 240, 136, image));
+      EXPECT_EQ(image.rgba, draw(made.recording, t, view, 240, 136).rgba) << t;
+    }
+  }
+}
+
+TEST_F(Missions, ManyBurstsAtOnceStayBounded) {
+  test::HandRecording made(test::terrainOf({}, 4000.0, -10.0));
+  for (int i = 0; i < 300; ++i) made.burst({1500.0 + 3.0 * i, 0.0, 2000.0 + 40.0 * std::sin(i)}, 1.0 + 0.001 * i, "dense_fragments");
+  MissionView view;
+  view.camera.target = {2000.0, 0.0, 2000.0};
+  view.camera.distance_m = 1500.0;
+  auto scene = MissionScene::make(made.recording);
+  ASSERT_TRUE(scene);
+  Image image;
+  ASSERT_TRUE(renderer_->drawToImage(**scene, made.recording, 2.0, view, 240, 136, image));
+  EXPECT_LE((*scene)->counts().bursts, 64u + 64u);
+  EXPECT_LT((*scene)->counts().particles, 80000u);
+}
+
+TEST_F(Missions, NightIsDarkAndAFlareLightsItsSurroundings) {
+  test::HandRecording made(test::terrainOf({}, 8000.0, -10.0));
+  const MissionView view = [] {
+    MissionView out;
+    out.camera.target = {4000.0, 0.0, 4000.0};
+    out.camera.distance_m = 500.0;
+    out.overlays.contours = false;
+    return out;
+  }();
+  const auto ground = [&](const Image& image) { return brightness(image.pixel(240, 200)); };
+  const double day = ground(draw(made.recording, 20.0, view));
+  made.recording.scenario.world.weather.night = true;
+  const double night = ground(draw(made.recording, 20.0, view));
+  EXPECT_LT(night, 0.4 * day);
+  made.burst({4000.0, 350.0, 4000.0}, 10.0, "");
+  made.recording.shells.back().illumination = true;
+  EXPECT_GT(ground(draw(made.recording, 20.0, view)), 1.5 * night);
+  EXPECT_NEAR(ground(draw(made.recording, 200.0, view)), night, 1.0) << "burnt out";
+}
+
+TEST_F(Missions, FogHidesWhatIsFarAndNotWhatIsNear) {
+  test::HandRecording made(test::terrainOf({}, 8000.0, -10.0)), without(test::terrainOf({}, 8000.0, -10.0));
+  for (auto* one : {&made, &without}) {
+    one->observer(1000.0, 4000.0);
+    one->recording.scenario.world.weather.visibility_m = 1000.0;
+  }
+  for (const double range : {250.0, 3000.0}) {
+    test::HandRecording with = made;
+    with.vehicle(1000.0 + range, 4000.0, Side::hostile);
+    MissionView view = throughBinoculars();
+    view.camera.turn_rad = toSi(Unit::mil, 1600.0);
+    const Difference seen = differenceOf(draw(with.recording, 0.0, view), draw(without.recording, 0.0, view));
+    if (range < 1000.0) {
+      EXPECT_GT(seen.count, 50);
+    } else {
+      EXPECT_EQ(seen.count, 0);
+    }
+  }
 }
 
 }  // namespace

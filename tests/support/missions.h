@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace npsee::test {
@@ -89,7 +90,13 @@ struct HandRecording {
     } else {
       ADD_FAILURE() << ballistics.error().text();
     }
-    recording.shells.push_back(shell);
+    add(shell);
+  }
+
+  /// In order of firing, as recordings keep them.
+  void add(const ShellRecord& shell) {
+    auto& shells = recording.shells;
+    shells.insert(std::upper_bound(shells.begin(), shells.end(), shell, [](const ShellRecord& a, const ShellRecord& b) { return a.fired_s < b.fired_s; }), shell);
   }
 
   /// A burst without a flight.
@@ -102,7 +109,7 @@ struct HandRecording {
     shell.muzzle_m = at + Vec3{0.0, 300.0, 300.0};
     shell.preset = preset;
     shell.seed = static_cast<std::uint64_t>(shell.number);
-    recording.shells.push_back(shell);
+    add(shell);
   }
 };
 
