@@ -1,4 +1,5 @@
 #include "app/commands/command.h"
+#include "app/commands/mission_pictures.h"
 #include "app/commands/mission_statistics.h"
 #include "sim/core/parallel.h"
 #include "sim/world/scenario_files.h"
@@ -23,6 +24,7 @@ struct Options {
   std::vector<std::string> settings;
   bool expect = false, quiet = false;
   int monte_carlo = 0, jobs = 0;
+  MissionPictureOptions pictures;
 };
 
 constexpr int kMaxRuns = 1'000'000;
@@ -63,13 +65,18 @@ int reportSetUp(const Options& options, Error error) {
   return report(error);
 }
 
-int runOnce(const Options& options, const Scenario& scenario, std::optional<double> until) {
+int runOnce(const Options& options, const Scenario& scenario, std::optional<double> until, const MissionPicturePlan& pictures) {
   const auto recording = runMission(scenario, until);
   if (!recording) return reportSetUp(options, recording.error());
   if (!options.quiet)
     if (const int code = writeResult(eventLog(*recording)); code != 0) return code;
   if (!options.record.empty())
     if (auto saved = saveRecording(*recording, options.record); !saved) return report(saved.error());
+  // The log is the result on stdout; pictures are named on stderr, as files written besides.
+  std::vector<std::filesystem::path> written;
+  const auto drawn = writeMissionPictures(pictures, *recording, written);
+  for (const auto& file : written) std::fprintf(stderr, "%s\n", file.c_str());
+  if (!drawn) return report(drawn.error());
   if (const int code = exitOf(*recording); code != 0) return code;
   if (!options.expect) return 0;
   const auto unmet = unmetExpectations(*recording);
@@ -107,9 +114,13 @@ int run(const Options& options) {
   }
   if (options.monte_carlo < 0 || options.monte_carlo > kMaxRuns)
     return report({ErrorKind::usage, {{.what = "--monte-carlo takes 1 to " + std::to_string(kMaxRuns) + " runs.", .remedy = {}, .file = {}, .line = 0, .pointer = {}}}});
+  const auto pictures = planMissionPictures(options.pictures);
+  if (!pictures) return report(pictures.error());
+  if (options.monte_carlo > 0 && !pictures->renders.empty())
+    return report({ErrorKind::usage, {{.what = "--monte-carlo prints a summary of many runs and draws no pictures.", .remedy = "Leave --render out, or run one seed with --seed.", .file = {}, .line = 0, .pointer = {}}}});
   const auto scenario = chosenScenario(options);
   if (!scenario) return report(scenario.error());
-  return options.monte_carlo > 0 ? runMany(options, *scenario, until) : runOnce(options, *scenario, until);
+  return options.monte_carlo > 0 ? runMany(options, *scenario, until) : runOnce(options, *scenario, until, *pictures);
 }
 
 }  // namespace
@@ -122,14 +133,19 @@ void addMission(CLI::App& app, Outcome& outcome) {
   addChangeOptions(*command, options->settings, options->seed);
   command->add_flag("--expect", options->expect, "Check the mission's `expect` clauses; exit 1 and name those that are not met");
   command->add_option("--record", options->record, "Write a recording, for `npsee replay`")->type_name("FILE");
+  addMissionPictureOptions(*command, options->pictures);
+  command->add_option("-o,--output", options->pictures.output, "PNG file of the picture; of several or a sequence with %04d where the number goes (else _0000 is added)")->type_name("OUT");
   command->add_option("--monte-carlo", options->monte_carlo, "Run with N seeds from the mission's own upward and print a summary instead of the log")->type_name("N");
   command->add_option("--jobs", options->jobs, "Threads of --monte-carlo; 0 = one per core")->check(CLI::Range(0, 1024))->type_name("N");
   command->add_option("--format", options->format, "Summary of --monte-carlo as text or json")->check(CLI::IsMember({"text", "json"}))->type_name("FORMAT");
   command->add_flag("--quiet", options->quiet, "Do not print the log");
-  command->footer("Every line has t (s) and ev; the line `end` closes the log with its hash: same mission, seed and program, same hash.\n"
+  command->footer(std::string("Every line has t (s) and ev; the line `end` closes the log with its hash: same mission, seed and program, same hash.\n") +
+                                    "A VIEW of --render is a list of key=value, separated by commas:\n" + std::string(render::missionRenderHelp()) +
                   "Examples:\n  npsee mission assets/missions/thesis_default.mission.json --expect\n"
                   "  npsee mission assets/missions/ridge_high_angle.mission.json --set fdc.trajectory=low --until 120\n"
-                  "  npsee mission assets/missions/foggy_night.mission.json --monte-carlo 200");
+                  "  npsee mission assets/missions/foggy_night.mission.json --monte-carlo 200\n"
+                  "  npsee mission assets/missions/thesis_default.mission.json --quiet --render \"t=40,camera=observer\" -o seen.png\n"
+                  "  npsee mission assets/missions/moving_column.mission.json --quiet --render \"camera=plan,show=rings\" --frames 0:60 --fps 10 -o frames/plan_%04d.png");
   command->callback([options, &outcome] { outcome.exit_code = run(*options); });
 }
 

@@ -1,5 +1,6 @@
 #include "app/commands/command.h"
 #include "app/commands/dis_send.h"
+#include "app/commands/mission_pictures.h"
 #include "app/commands/replay_state.h"
 #include "app/commands/shot_options.h"
 
@@ -18,6 +19,7 @@ namespace {
 struct ReplayOptions {
   std::string file, at, format, output, step, shell_step, send, speed;
   bool events = false;
+  MissionPictureOptions pictures;
 };
 
 /// What was asked for, read from the options before the file is.
@@ -27,6 +29,7 @@ struct Wish {
   std::string format;
   std::optional<LoopbackPort> send;
   double speed = 1.0;
+  MissionPicturePlan pictures;
 };
 
 constexpr std::string_view kFormats = "acmi (Tacview), csv or dis (a capture file)";
@@ -52,7 +55,21 @@ Expected<void> readSteps(const ReplayOptions& options, ExportSetup& setup) {
   return {};
 }
 
+/// With --render, -o names the picture instead of an export.
+Expected<Wish> pictureWish(const ReplayOptions& options) {
+  Wish wish;
+  MissionPictureOptions pictures = options.pictures;
+  pictures.output = options.output;
+  auto plan = planMissionPictures(pictures);
+  if (!plan) return tl::unexpected<Error>(plan.error());
+  if (!options.at.empty() || options.events || !options.format.empty() || !options.send.empty())
+    return fail(ErrorKind::usage, "--render draws pictures; --at, --events, --format and --send are other results.", "Ask for one at a time.");
+  wish.pictures = std::move(*plan);
+  return wish;
+}
+
 Expected<Wish> wishOf(const ReplayOptions& options) {
+  if (!options.pictures.renders.empty() || !options.pictures.frames.empty() || !options.pictures.fps.empty()) return pictureWish(options);
   Wish wish;
   if (!options.at.empty()) {
     const auto at = parseOption("--at", options.at, Unit::second);
@@ -107,11 +124,21 @@ int send(const Recording& recording, const Wish& wish) {
   return sent ? 0 : report(sent.error());
 }
 
+int draw(const Recording& recording, const MissionPicturePlan& pictures) {
+  std::vector<std::filesystem::path> written;
+  const auto drawn = writeMissionPictures(pictures, recording, written);
+  std::string lines;
+  for (const auto& file : written) lines += file.string() + '\n';
+  const int printed = writeResult(lines);
+  return drawn ? printed : report(drawn.error());
+}
+
 int replay(const ReplayOptions& options) {
   const auto wish = wishOf(options);
   if (!wish) return report(wish.error());
   const auto recording = loadRecording(options.file);
   if (!recording) return report(recording.error());
+  if (!wish->pictures.renders.empty()) return draw(*recording, wish->pictures);
   if (wish->at_s && *wish->at_s > recording->duration_s)
     return report(Error{ErrorKind::usage, {{.what = "--at " + options.at + ": the recording ends at " + shortest(recording->duration_s) + " s.", .remedy = {}, .file = {}, .line = 0, .pointer = {}}}});
   if (!options.output.empty())
@@ -127,19 +154,20 @@ int replay(const ReplayOptions& options) {
 
 void addReplay(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command = app.add_subcommand("replay", "Look into a recorded mission: its state at a time, its log, or an export to Tacview, CSV or DIS");
+  CLI::App* command = app.add_subcommand("replay", "Look into a recorded mission: its state at a time, its log, pictures, or an export to Tacview, CSV or DIS");
   command->add_option("FILE", options->file, "Recording, as `npsee mission --record` writes it")->required();
   command->add_option("--at", options->at, "Print everything's state at this time as JSON, s")->type_name("T");
   command->add_flag("--events", options->events, "Print the event log, one JSON object per line");
   command->add_option("--format", options->format, "Of the export: acmi, csv or dis; by the name of OUT without it")->type_name("FORMAT");
-  command->add_option("-o,--output", options->output, "Write the export here (*.acmi, *.csv, *.pcap; - for standard output)")->type_name("OUT");
+  command->add_option("-o,--output", options->output, "Write the export here (*.acmi, *.csv, *.pcap; - for standard output), or the picture of --render (*.png)")->type_name("OUT");
   command->add_option("--step", options->step, "Between two samples of what drives (1 s)")->type_name("S");
   command->add_option("--shell-step", options->shell_step, "Between two samples of shells (0.25 s)")->type_name("S");
   command->add_option("--send", options->send, "Send DIS packets over UDP to this machine, e.g. 127.0.0.1:3000")->type_name("HOST[:PORT]");
   command->add_option("--speed", options->speed, "Times real time at which packets are sent, or max (1)")->type_name("N");
+  addMissionPictureOptions(*command, options->pictures);
   command->footer(
-      "Without options a summary is printed.\n"
-      "Examples:\n  npsee replay run.jsonl --at 42.5\n  npsee replay run.jsonl -o run.acmi\n  npsee replay run.jsonl --format dis -o run.pcap\n  npsee replay run.jsonl --send 127.0.0.1:3000");
+      "Without options a summary is printed. The keys of --render are listed by `npsee mission --help`.\n"
+      "Examples:\n  npsee replay run.jsonl --at 42.5\n  npsee replay run.jsonl -o run.acmi\n  npsee replay run.jsonl --format dis -o run.pcap\n  npsee replay run.jsonl --render \"t=42.5,camera=follow\" -o shell.png\n  npsee replay run.jsonl --send 127.0.0.1:3000");
   command->callback([options, &outcome] { outcome.exit_code = replay(*options); });
 }
 
