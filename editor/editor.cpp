@@ -1,6 +1,7 @@
 #include "editor/editor.h"
 
 #include "editor/layout.h"
+#include "editor/mission/session.h"
 #include "editor/panels/panels.h"
 
 #include <cstdint>
@@ -38,17 +39,43 @@ class RendererPictures final : public Pictures {
     return id(renderer_.drawToTexture(scene, width, height, 1));
   }
 
+  ImTextureID mission(const MissionSession& session, int width, int height) override {
+    const Recording* recording = session.recording();
+    if (!enabled || recording == nullptr || !prepare(session)) return nullptr;
+    const ImTextureID texture = id(renderer_.drawToTexture(*scene_, *recording, session.clock.time_s, session.view, width, height, 2));
+    for (; warned_ < scene_->warnings().size(); ++warned_) fault = scene_->warnings()[warned_];
+    return texture;
+  }
+
+  const std::vector<render::MissionMark>& marks(const MissionSession& session, int width, int height) override {
+    marks_.clear();
+    if (session.recording() != nullptr && prepare(session)) marks_ = scene_->marks(*session.recording(), session.clock.time_s, session.view, width, height);
+    return marks_;
+  }
+
   bool enabled = true;
   Colour background;
   std::string fault;
 
  private:
+  /// The scene of the mission shown; it notices by itself when the recording grows or the ground is another.
+  bool prepare(const MissionSession& session) {
+    if (scene_) return true;
+    auto made = render::MissionScene::make(*session.recording());
+    if (made) scene_ = std::move(*made);
+    else fault = made.error().text();
+    return scene_ != nullptr;
+  }
+
   ImTextureID id(const Expected<unsigned>& texture) {
     if (!texture) fault = texture.error().text();
     return texture ? reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(*texture)) : nullptr;
   }
 
   render::Renderer& renderer_;
+  std::unique_ptr<render::MissionScene> scene_;
+  std::size_t warned_ = 0;  ///< of the scene's warnings that were shown
+  std::vector<render::MissionMark> marks_;
 };
 
 Colour colourOf(ImU32 packed) {
@@ -60,7 +87,7 @@ Colour colourOf(ImU32 packed) {
 
 struct Editor::Impl {
   Impl(const EditorOptions& chosen, std::unique_ptr<render::Renderer> made, Fonts loaded, DrawDataRenderer drawer)
-      : options(chosen), session({chosen.library, chosen.scripted}), renderer(std::move(made)), fonts(loaded), panels(std::move(drawer)), pictures(*renderer) {}
+      : options(chosen), session({chosen.library, chosen.scripted, chosen.missions}), renderer(std::move(made)), fonts(loaded), panels(std::move(drawer)), pictures(*renderer) {}
 
   EditorOptions options;
   Session session;
@@ -84,10 +111,15 @@ Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options) {
   if (!panels) return tl::unexpected<Error>(panels.error());
   std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, std::move(*renderer), fonts, std::move(*panels))));
   Session& session = out->session();
+  const bool mission = isMissionFile(options.file);
   if (!options.file.empty())
-    if (auto loaded = session.document.load(options.file); !loaded) return tl::unexpected<Error>(loaded.error());
+    if (auto loaded = mission ? session.mission().load(options.file) : session.document.load(options.file); !loaded) return tl::unexpected<Error>(loaded.error());
+  if (mission) session.mode = WorkMode::mission;
   session.files.listing.folder = options.file.empty() ? options.library : options.file.parent_path();
-  if (options.time_s) {
+  if (options.time_s && mission) {
+    session.mission().clock.setDuration(session.mission().document.scenario().duration_s);
+    session.mission().clock.seek(*options.time_s);
+  } else if (options.time_s) {
     session.playback.playing = false;
     session.playback.duration_s = *options.time_s;  // until the compiler says how long the effect lasts
     session.playback.seek(*options.time_s);
@@ -111,7 +143,7 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   drawLayout(ui);
   ImGui::PopFont();
   // A drag is over when nothing is held any more: what it changed is one step of the history.
-  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) my.session.document.endMerge();
+  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !my.state.mission.driving.keys) my.session.endMerge();
   if (!std::exchange(my.state.typing.shown, false)) my.state.typing = {};
   if (my.state.hover.seen) my.state.hover.seconds += elapsed_s;
   else my.state.hover = {};
@@ -121,36 +153,10 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
 void Editor::draw() const { impl_->panels.draw(*ImGui::GetDrawData()); }
 
 Session& Editor::session() { return impl_->session; }
+const Session& Editor::session() const { return impl_->session; }
 UiState& Editor::state() { return impl_->state; }
+const UiState& Editor::state() const { return impl_->state; }
 Items& Editor::items() { return impl_->items; }
-
-std::vector<std::pair<std::string, std::string>> Editor::facts() const {
-  const Session& session = impl_->session;
-  const Document& document = session.document;
-  const auto yes = [](bool b) { return std::string(b ? "yes" : "no"); };
-  constexpr const char* kViews[] = {"splines", "polygons", "surface"};
-  constexpr const char* kModes[] = {"closed", "open", "save as"};
-  const render::Camera& camera = session.camera;
-  return {
-      {"eye.x", shortest(camera.eye.x)}, {"eye.y", shortest(camera.eye.y)}, {"eye.z", shortest(camera.eye.z)},
-      {"target.x", shortest(camera.target.x)}, {"target.y", shortest(camera.target.y)}, {"target.z", shortest(camera.target.z)},
-      {"distance", shortest(length(camera.eye - camera.target))},
-      {"time", shortest(session.playback.time_s)}, {"duration", shortest(session.playback.duration_s)},
-      {"playing", yes(session.playback.playing)}, {"loop", yes(session.playback.loop)}, {"speed", shortest(session.playback.speed)},
-      {"alive", std::to_string(session.alive())},
-      {"particles", std::to_string(session.explosion() != nullptr ? session.explosion()->particleCount() : 0)},
-      {"layers", std::to_string(document.preset().layers.size())}, {"layer", document.hasLayer() ? document.layer().name : std::string()},
-      {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())},
-      {"undo.label", std::string(document.history().undoLabel())},
-      {"window.width", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.x))}, {"window.height", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.y))},
-      {"dirty", yes(document.dirty())}, {"window.title", session.title()}, {"file", document.path().string()},
-      {"question", yes(session.asking() != Intent::none)}, {"quitting", yes(session.quitting())},
-      {"files", kModes[static_cast<int>(session.files.mode)]},
-      {"error", session.notices.error}, {"note", session.notices.note}, {"hint", impl_->state.hint}, {"typing", impl_->state.typing.name},
-      {"template.view", kViews[static_cast<int>(session.template_view)]},
-      {"template.yaw", shortest(session.template_yaw_rad)}, {"template.pitch", shortest(session.template_pitch_rad)},
-  };
-}
 
 UiHost::UiHost() {
   ImGui::CreateContext();

@@ -30,7 +30,9 @@ class Editor {
   void draw() const;
 
   Session& session();
+  const Session& session() const;
   UiState& state();
+  const UiState& state() const;
   Items& items();
 
   /// What scripts can ask for, by name: camera, time, undo steps, title, ...

@@ -94,7 +94,7 @@ Expected<int> runHeadless(const HeadlessOptions& options, const std::function<vo
   // Sizes settle in the second frame, and the camera with them.
   for (int i = 0; i < 3; ++i)
     if (auto done = step(**editor, surface, {}); !done) return tl::unexpected<Error>(done.error());
-  if (!options.editor.time_s) (*editor)->session().playback.seek(0.0);
+  if (!options.editor.time_s) (*editor)->session().playback.seek(0.0);  // a mission starts paused
   ScriptRunner runner(std::move(*commands), options.script.string(), print);
   while (true) {
     const auto more = runner.next(**editor);

@@ -1,14 +1,25 @@
 #include "editor/layout.h"
 
+#include "editor/layout_parts.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace npsee::editor {
-namespace {
 
-constexpr float kBar = 5.0f;  ///< width of a draggable bar, unscaled
+float splitter(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 size, bool upright) {
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton(name.c_str(), size);
+  ui.item(name);
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, lit ? ui.theme.line : ui.theme.background);
+  if (lit) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  if (!ImGui::IsItemActive()) return 0.0f;
+  return (upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y) / ui.scale;
+}
+
+namespace {
 
 struct Columns {
   float left = 0.0f, middle = 0.0f, right = 0.0f;
@@ -23,29 +34,6 @@ Columns columnsOf(const PanelContext& ui, float width) {
   if (ui.state.show_right) out.right = std::floor(std::clamp(ui.px(ui.state.right_width), ui.px(290), std::max(ui.px(290), 0.36f * width)));
   out.middle = width - out.left - out.right - ui.px(kBar) * static_cast<float>((left ? 1 : 0) + (ui.state.show_right ? 1 : 0));
   return out;
-}
-
-/// A bar to drag. Returns how far, in unscaled pixels.
-float splitter(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 size, bool upright) {
-  ImGui::SetCursorScreenPos(at);
-  ImGui::InvisibleButton(name.c_str(), size);
-  ui.item(name);
-  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, lit ? ui.theme.line : ui.theme.background);
-  if (lit) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-  if (!ImGui::IsItemActive()) return 0.0f;
-  return (upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y) / ui.scale;
-}
-
-/// A panel: a region with padding.
-template <class Draw>
-void panel(const PanelContext& ui, const char* id, ImVec2 at, ImVec2 size, const Draw& draw, float padding = 10.0f) {
-  ImGui::SetCursorScreenPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(padding), ui.px(std::min(padding, 4.0f))));
-  ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleVar();
-  draw(ui);
-  ImGui::EndChild();
 }
 
 void drawLeft(const PanelContext& ui, ImVec2 at, ImVec2 size) {
@@ -106,7 +94,8 @@ void drawLayout(const PanelContext& ui) {
   ImGui::Begin("npsee", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar(2);
   drawMenuBar(ui);
-  drawRegions(ui);
+  if (ui.session.inMission()) drawMissionRegions(ui);
+  else drawRegions(ui);
   ImGui::End();
 }
 

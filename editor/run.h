@@ -10,8 +10,9 @@
 namespace npsee::editor {
 
 struct EditorOptions {
-  std::filesystem::path file;     ///< preset to open; empty starts a new one
+  std::filesystem::path file;     ///< preset or mission to open; empty starts a new preset
   std::filesystem::path library;  ///< folder of the shipped presets; empty = none
+  std::filesystem::path missions = {};  ///< folder of the shipped missions; empty = none
   std::optional<double> time_s;   ///< start paused at this moment instead of playing
   float scale = 1.0f;             ///< of the display
   bool scripted = false;          ///< every frame waits for the compiler, nothing measured is shown

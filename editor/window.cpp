@@ -34,7 +34,7 @@ void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
   std::optional<float> ms;
   while (!editor.session().quitting()) {
     // While nothing moves by itself, a frame is drawn for input, and now and then for tooltips and clicks that wait.
-    if (editor.session().playback.playing || editor.session().compiling() || input.waiting()) glfwPollEvents();
+    if (editor.session().moving() || input.waiting()) glfwPollEvents();
     else glfwWaitEventsTimeout(0.05);
     if (glfwWindowShouldClose(window) != GLFW_FALSE) {
       glfwSetWindowShouldClose(window, GLFW_FALSE);

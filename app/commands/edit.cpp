@@ -23,16 +23,17 @@ struct Options {
   bool headless = false, print_state = false;
 };
 
-/// Folder of the shipped presets: beside the executable, below its prefix, or in the source tree it was built in.
-fs::path shippedPresets() {
+/// Folder of what is shipped ("presets", "assets/missions"): beside the executable, below its prefix, or in the source tree it was built
+/// in.
+fs::path shipped(const fs::path& name) {
   std::error_code error;
   const fs::path binary = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  const fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / "presets";
+  const fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / name;
   if (fs::is_directory(installed, error)) return installed;
   fs::path folder = binary.parent_path();
   for (int up = 0; up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path())
-    if (fs::is_directory(folder / "presets", error)) return folder / "presets";
+    if (fs::is_directory(folder / name, error)) return folder / name;
   return {};
 }
 
@@ -50,7 +51,8 @@ Expected<std::pair<int, int>> parseSize(const std::string& text) {
 Expected<editor::EditorOptions> editorOptions(const Options& options) {
   editor::EditorOptions out;
   out.file = options.file;
-  out.library = options.library.empty() ? shippedPresets() : fs::path(options.library);
+  out.library = options.library.empty() ? shipped("presets") : fs::path(options.library);
+  out.missions = options.library.empty() ? shipped(fs::path("assets") / "missions") : fs::path(options.library);
   std::error_code ignored;
   if (!options.library.empty() && !fs::is_directory(options.library, ignored)) return fail(ErrorKind::input, "--library " + options.library + " is no folder.", "Name a folder with presets.");
   if (!options.time.empty()) {
@@ -86,7 +88,7 @@ int edit(const Options& options) {
 }
 
 std::string footer() {
-  std::string out = "Examples:\n  npsee edit presets/classic_1993.npsee.json\n  npsee edit --headless --screenshot editor.png --time 0.8\n"
+  std::string out = "Examples:\n  npsee edit presets/classic_1993.npsee.json\n  npsee edit assets/missions/thesis_default.mission.json\n  npsee edit --headless --screenshot editor.png --time 0.8\n"
                     "  npsee edit my_burst.npsee.json --headless --script session.txt --screenshot editor.png\n\n"
                     "Script, one command per line (docs/ui-script.md):\n";
   for (const editor::ScriptCommandInfo& command : editor::scriptCommands()) out += "  " + std::string(command.name) + ' ' + std::string(command.arguments) + "\n      " + std::string(command.doc) + '\n';
@@ -98,12 +100,12 @@ std::string footer() {
 void addEdit(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("edit", "The editor: a window, or with --headless a script that drives it without a display");
-  command->add_option("FILE", options->file, "Preset to open (*.npsee.json); without it a new one is started");
+  command->add_option("FILE", options->file, "Preset (*.npsee.json) or mission (*.mission.json) to open; without it a new preset is started");
   command->add_flag("--headless", options->headless, "No window: run a script on the software renderer");
   command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
   command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");
   command->add_option("--size", options->size, "Size of the window in pixels; 1440x900 by default")->type_name("WxH");
-  command->add_option("--library", options->library, "Folder whose presets the library lists; the shipped ones by default")->type_name("FOLDER");
+  command->add_option("--library", options->library, "Folder whose presets and missions the library lists; the shipped ones by default")->type_name("FOLDER");
   command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");
   command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default")->type_name("FACTOR");
   command->add_flag("--print-state", options->print_state, "Print the editor's state when the window is closed");

@@ -3,13 +3,23 @@
 #include "editor/document/history.h"
 
 #include <npsee/parameters.h>
+#include <npsee/preset.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace npsee::editor {
+
+/// A moment of the edited preset: the immutable value and what was selected in it.
+struct Snapshot {
+  std::shared_ptr<const Preset> preset;
+  int layer = 0;
+};
+inline bool sameContent(const Snapshot& a, const Snapshot& b) { return a.preset == b.preset || *a.preset == *b.preset; }
+using History = BasicHistory<Snapshot>;
 
 /// The preset being edited with its file, selection and history. Knows no window, no GL and no ImGui. The preset is valid
 /// at every moment: an edit that would break a rule of the preset as a whole is refused and changes nothing.
@@ -37,7 +47,7 @@ class Document {
   Expected<void> assign(const Parameter& parameter, const Value& value, std::string_view merge_key = {});
   /// Value of a parameter of the burst or of the selected layer.
   Value value(const Parameter& parameter) const;
-  void endMerge() { history_.endMerge(preset()); }
+  void endMerge() { history_.endMerge(now_); }
 
   /// Layers of the list, each one undo step. A new layer is placed after the selected one and selected.
   Expected<void> addLayer();

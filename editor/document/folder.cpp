@@ -18,7 +18,7 @@ FolderListing listFolder(const fs::path& folder) {
     const std::string name = entry->path().filename().string();
     std::error_code ignored;
     const bool is_folder = entry->is_directory(ignored);
-    if (name.starts_with('.') || (!is_folder && !name.ends_with(".npsee.json"))) continue;
+    if (name.starts_with('.') || (!is_folder && !name.ends_with(".npsee.json") && !name.ends_with(".mission.json"))) continue;
     if (out.entries.size() == FolderListing::kMaxEntries) {
       out.shortened = true;
       break;

@@ -6,7 +6,7 @@
 
 namespace npsee::editor {
 
-/// What a file dialog lists: the folders and preset files of one folder, folders first, each by name.
+/// What a file dialog lists: the folders, presets and missions of one folder, folders first, each by name.
 struct FolderListing {
   struct Entry {
     std::string name;
@@ -20,7 +20,7 @@ struct FolderListing {
   static constexpr std::size_t kMaxEntries = 2000;
 };
 
-/// Hidden names are left out; presets are `*.npsee.json`. Never fails: see `problem`.
+/// Hidden names are left out; presets are `*.npsee.json`, missions `*.mission.json`. Never fails: see `problem`.
 FolderListing listFolder(const std::filesystem::path& folder);
 
 }  // namespace npsee::editor

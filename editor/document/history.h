@@ -1,34 +1,44 @@
 #pragma once
 
-#include <npsee/preset.h>
-
 #include <cstddef>
 #include <deque>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace npsee::editor {
 
-/// A moment of the edited preset: the immutable value and what was selected in it.
-struct Snapshot {
-  std::shared_ptr<const Preset> preset;
-  int layer = 0;
-};
-
-/// Undo and redo by snapshots. Bounded: the oldest step is forgotten when there are more than `kMaxSteps`.
-class History {
+/// Undo and redo by snapshots: small values that hold the immutable document and what was selected in it. `sameContent(a, b)`,
+/// found beside the snapshot's type, tells whether two of them differ in what is saved. Bounded: the oldest step is forgotten when
+/// there are more than `kMaxSteps`.
+template <class State>
+class BasicHistory {
  public:
   static constexpr std::size_t kMaxSteps = 400;
 
   /// Starts over; nothing can be undone.
-  void clear();
+  void clear() {
+    undo_.clear();
+    redo_.clear();
+    merge_key_.clear();
+  }
 
   /// Notes the state before a change. Changes with the same nonempty `merge_key` become one step until endMerge().
-  void record(Snapshot before, std::string_view label, std::string_view merge_key);
+  void record(State before, std::string_view label, std::string_view merge_key) {
+    redo_.clear();
+    const bool merges = !merge_key.empty() && merge_key == merge_key_ && !undo_.empty();
+    merge_key_ = merge_key;
+    if (merges) return;
+    undo_.push_back({std::string(label), std::move(before)});
+    if (undo_.size() > kMaxSteps) undo_.pop_front();
+  }
 
   /// Ends a running merge (the mouse button was released). Drops the step when the drag came back to where it started.
-  void endMerge(const Preset& now);
+  void endMerge(const State& now) {
+    if (merge_key_.empty()) return;
+    merge_key_.clear();
+    if (!undo_.empty() && sameContent(undo_.back().state, now)) undo_.pop_back();
+  }
 
   bool canUndo() const { return !undo_.empty(); }
   bool canRedo() const { return !redo_.empty(); }
@@ -39,14 +49,24 @@ class History {
   std::string_view redoLabel() const { return redo_.empty() ? std::string_view() : redo_.back().label; }
 
   /// The state to go back (forward) to, `now` being kept for the way back. Only if canUndo() (canRedo()).
-  Snapshot undo(Snapshot now);
-  Snapshot redo(Snapshot now);
+  State undo(State now) { return step(undo_, redo_, std::move(now)); }
+  State redo(State now) { return step(redo_, undo_, std::move(now)); }
 
  private:
   struct Step {
     std::string label;
-    Snapshot state;
+    State state;
   };
+
+  State step(std::deque<Step>& from, std::deque<Step>& to, State now) {
+    merge_key_.clear();
+    Step step = std::move(from.back());
+    from.pop_back();
+    std::swap(step.state, now);
+    to.push_back(std::move(step));
+    return now;
+  }
+
   std::deque<Step> undo_, redo_;
   std::string merge_key_;
 };

@@ -1,5 +1,7 @@
 #include "editor/document/session.h"
 
+#include "editor/mission/session.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,25 +21,37 @@ constexpr milliseconds kFirstPatience{150};
 /// Particles above which evaluating is shared between threads; below, starting them costs more.
 constexpr std::size_t kManyParticles = 50'000;
 
-std::vector<LibraryEntry> readLibrary(const fs::path& folder) {
+/// What a folder holds of one kind of file, with titles.
+template <class Load>
+std::vector<LibraryEntry> readLibrary(const fs::path& folder, std::string_view ending, const Load& load) {
   std::vector<LibraryEntry> out;
+  if (folder.empty()) return out;
   for (const FolderListing::Entry& entry : listFolder(folder).entries) {
-    if (entry.folder) continue;
+    if (entry.folder || !entry.name.ends_with(ending)) continue;
     const fs::path path = fs::absolute(folder).lexically_normal() / entry.name;
-    const auto preset = loadPreset(path);
-    if (preset) out.push_back({path, preset->title, preset->description, true});
-    else out.push_back({path, {}, preset.error().text(), false});
+    const auto document = load(path);
+    if (document) out.push_back({path, document->title, document->description, true});
+    else out.push_back({path, {}, document.error().text(), false});
   }
   return out;
 }
 
 }  // namespace
 
-Session::Session(SessionOptions options) : options_(std::move(options)) {
-  if (!options_.library.empty()) library_ = readLibrary(options_.library);
-}
+Session::Session(SessionOptions options)
+    : options_(std::move(options)), library_(readLibrary(options_.library, ".npsee.json", loadPreset)), missions_(readLibrary(options_.missions, ".mission.json", loadScenario)),
+      mission_(std::make_unique<MissionSession>(MissionSessionOptions{options_.wait_for_compile})) {}
+
+Session::~Session() = default;
 
 void Session::update(double elapsed_s) {
+  if (inMission()) mission_->update(elapsed_s, notices);
+  else updateExplosion(elapsed_s);
+}
+
+bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling(); }
+
+void Session::updateExplosion(double elapsed_s) {
   if (requested_revision_ != document.revision()) {
     requested_revision_ = document.revision();
     compiler_.request(document.snapshot(), requested_revision_);
@@ -109,99 +123,5 @@ bool Session::took(const Expected<void>& result) {
   notices.error = result.error().text();
   return false;
 }
-
-void Session::startNew() { begin(Intent::start_new); }
-void Session::open(const fs::path& path) { begin(Intent::open, path); }
-void Session::quit() { begin(Intent::quit); }
-
-void Session::begin(Intent intent, fs::path path) {
-  intent_ = intent;
-  intent_path_ = std::move(path);
-  document.endMerge();
-  if (!document.dirty()) proceed();
-}
-
-void Session::proceed() {
-  const Intent intent = std::exchange(intent_, Intent::none);
-  proceed_after_save_ = false;
-  if (intent == Intent::quit) quitting_ = true;
-  if (intent == Intent::open) loadNow(intent_path_);
-  if (intent != Intent::start_new) return;
-  document.startNew();
-  frame_on_compile_ = true;
-  notices = {};
-}
-
-void Session::loadNow(const fs::path& path) {
-  if (!took(document.load(path))) return;
-  notices = {{}, "Opened " + path.string()};
-  frame_on_compile_ = true;
-  playback.time_s = 0.0;
-  closeFiles();
-}
-
-void Session::answer(Answer answer) {
-  if (intent_ == Intent::none) return;
-  if (answer == Answer::discard) return proceed();
-  if (answer == Answer::cancel) {
-    intent_ = Intent::none;
-    return;
-  }
-  proceed_after_save_ = true;
-  save();
-}
-
-void Session::save() {
-  if (document.path().empty()) return showFiles(FilePanel::Mode::save_as);
-  if (!took(document.save())) {
-    proceed_after_save_ = false;
-    return;
-  }
-  notices = {{}, "Saved " + document.path().string()};
-  if (proceed_after_save_) proceed();
-}
-
-void Session::showFiles(FilePanel::Mode mode) {
-  files.mode = mode;
-  const fs::path start = !document.path().empty() ? document.path().parent_path() : files.listing.folder;
-  files.name = mode == FilePanel::Mode::save_as ? document.name() + ".npsee.json" : "";
-  files.replacing.clear();
-  files.listing = listFolder(start);
-}
-
-void Session::enterFolder(const fs::path& folder) { files.listing = listFolder(folder); }
-
-void Session::confirmFiles() {
-  if (files.name.empty()) {
-    notices.error = "The name of the file is missing.\n  Write a name, or click one in the list.";
-    return;
-  }
-  const fs::path path = (files.listing.folder / files.name).lexically_normal();
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    enterFolder(path);
-    files.name.clear();
-    return;
-  }
-  if (files.mode == FilePanel::Mode::open) return open(path);
-  const fs::path target = Document::fileFor(path);
-  if (fs::exists(target, ignored) && target != document.path() && target != files.replacing) {
-    files.replacing = target;
-    return;
-  }
-  if (!took(document.saveAs(path))) return;
-  notices = {{}, "Saved " + document.path().string()};
-  const bool go_on = proceed_after_save_;
-  closeFiles();
-  if (go_on) proceed();
-}
-
-void Session::closeFiles() {
-  files.mode = FilePanel::Mode::closed;
-  // Leaving the panel without saving means the question is still open.
-  proceed_after_save_ = false;
-}
-
-std::string Session::title() const { return document.name() + (document.dirty() ? " *" : ""); }
 
 }  // namespace npsee::editor

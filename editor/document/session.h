@@ -9,6 +9,7 @@
 
 #include <npsee/explosion.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +18,11 @@
 #include <vector>
 
 namespace npsee::editor {
+
+class MissionSession;
+
+/// What is being worked on; each keeps its own document, history and time line.
+enum class WorkMode { explosion, mission };
 
 /// What waits until the question about unsaved work is answered.
 enum class Intent { none, start_new, open, quit };
@@ -30,7 +36,7 @@ struct FilePanel {
   std::filesystem::path replacing;  ///< another file that would be overwritten; the button then says so and asks once more
 };
 
-/// A preset of the library. One that cannot be read is listed with its reason.
+/// A preset or mission of the library. One that cannot be read is listed with its reason.
 struct LibraryEntry {
   std::filesystem::path path;
   std::string title, description;
@@ -52,12 +58,20 @@ struct LaunchSample {
 struct SessionOptions {
   std::filesystem::path library;  ///< folder whose presets the library lists; empty = none
   bool wait_for_compile = false;  ///< scripts: every frame shows the finished explosion
+  std::filesystem::path missions = {};  ///< folder whose missions the library lists; empty = none
 };
 
 /// The editor without a picture: everything the panels show and change, and the rules between them. No ImGui, no GL.
 class Session {
  public:
   explicit Session(SessionOptions options);
+  ~Session();
+
+  WorkMode mode = WorkMode::explosion;
+  bool inMission() const { return mode == WorkMode::mission; }
+  /// The mission's part; there from the start, empty until one is opened.
+  MissionSession& mission() { return *mission_; }
+  const MissionSession& mission() const { return *mission_; }
 
   Document document;
   Playback playback;
@@ -76,6 +90,8 @@ class Session {
   std::size_t alive() const { return alive_; }
   const LaunchSample& launchSample() const { return sample_; }
   bool compiling() const { return compiler_.busy(); }
+  /// True while something changes by itself: time passes, or something is being computed.
+  bool moving() const;
 
   /// Puts the whole effect into view.
   void frameAll();
@@ -88,13 +104,22 @@ class Session {
   /// Runs an edit's result through the notices: an error is shown, success clears the note.
   bool took(const Expected<void>& result);
 
-  /// Opening, starting anew and quitting ask first when there is unsaved work.
+  /// Opening, starting anew and quitting ask first when there is unsaved work. A file's name says whether it is a preset or a mission;
+  /// opening it changes the mode, and only the document it replaces is asked about.
   void startNew();
   void open(const std::filesystem::path& path);
   void quit();
   Intent asking() const { return intent_; }
+  /// Whose unsaved work the question is about.
+  std::string askingAbout() const;
   void answer(Answer answer);
   bool quitting() const { return quitting_; }
+
+  /// Undo and redo of the mode's document.
+  bool undo();
+  bool redo();
+  /// A drag is over.
+  void endMerge();
 
   /// Saves to the document's file, or shows the file panel if it has none.
   void save();
@@ -104,14 +129,24 @@ class Session {
   void confirmFiles();
   void closeFiles();
 
-  const std::vector<LibraryEntry>& library() const { return library_; }
+  const std::vector<LibraryEntry>& library() const { return inMission() ? missions_ : library_; }
+
+  const std::vector<LibraryEntry>& presets() const { return library_; }
 
   /// "name *" as the window's title shows it.
   std::string title() const;
+  /// Name, dirty mark and file of the mode's document.
+  std::string name() const;
+  bool dirty() const;
+  const std::filesystem::path& path() const;
 
  private:
   void begin(Intent intent, std::filesystem::path path = {});
+  std::optional<WorkMode> endangered() const;
+  void goOn();
   void proceed();
+  Expected<void> saveDocumentAs(const std::filesystem::path& path);
+  void updateExplosion(double elapsed_s);
   void loadNow(const std::filesystem::path& path);
   void takeCompiled();
   void sampleLaunch();
@@ -131,9 +166,11 @@ class Session {
   std::optional<render::Camera> framed_;  ///< what frameAll last set
   Intent intent_ = Intent::none;
   std::filesystem::path intent_path_;
+  std::array<bool, 2> given_up_{};  ///< by mode: its unsaved work may be lost
   bool proceed_after_save_ = false;
   bool quitting_ = false;
-  std::vector<LibraryEntry> library_;
+  std::vector<LibraryEntry> library_, missions_;
+  std::unique_ptr<MissionSession> mission_;
 };
 
 }  // namespace npsee::editor

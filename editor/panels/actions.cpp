@@ -1,6 +1,7 @@
 #include "editor/panels/actions.h"
 
 #include "editor/document/camera_moves.h"
+#include "editor/panels/mission/panels.h"
 #include "editor/panels/panels.h"
 #include "editor/script/parser.h"
 
@@ -17,8 +18,8 @@ namespace {
 using Ui = const PanelContext&;
 
 bool hasLayer(Ui ui) { return ui.session.document.hasLayer(); }
-bool canUndo(Ui ui) { return ui.session.document.history().canUndo(); }
-bool canRedo(Ui ui) { return ui.session.document.history().canRedo(); }
+bool canUndo(Ui ui) { return ui.session.inMission() ? ui.session.mission().document.history().canUndo() : ui.session.document.history().canUndo(); }
+bool canRedo(Ui ui) { return ui.session.inMission() ? ui.session.mission().document.history().canRedo() : ui.session.document.history().canRedo(); }
 
 template <render::TemplateView view>
 void showView(Ui ui) {
@@ -47,40 +48,58 @@ void changeSpeed(Ui ui, int by) {
 
 using enum render::TemplateView;
 using Mode = FilePanel::Mode;
+constexpr auto kExplosion = WorkMode::explosion;
 
-const std::array kActions{
+void changeMode(Ui ui) {
+  ui.session.endMerge();
+  ui.session.mode = ui.session.inMission() ? WorkMode::explosion : WorkMode::mission;
+}
+
+const std::array kCommon{
     Action{"File", "New", "ctrl+N", [](Ui ui) { ui.session.startNew(); }},
     Action{"File", "Open", "ctrl+O", [](Ui ui) { ui.session.showFiles(Mode::open); }},
     Action{"File", "Save", "ctrl+S", [](Ui ui) { ui.session.save(); }, nullptr, nullptr, true},
     Action{"File", "Save as", "ctrl+shift+S", [](Ui ui) { ui.session.showFiles(Mode::save_as); }},
     Action{"File", "Quit", "ctrl+Q", [](Ui ui) { ui.session.quit(); }, nullptr, nullptr, true},
-    Action{"Edit", "Undo", "ctrl+Z", [](Ui ui) { ui.session.document.undo(); }, canUndo},
-    Action{"Edit", "Redo", "ctrl+shift+Z", [](Ui ui) { ui.session.document.redo(); }, canRedo},
-    Action{"View", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }},
-    Action{"View", "From the front", "1", [](Ui ui) { lookFrom(ui, "front"); }},
-    Action{"View", "From the side", "2", [](Ui ui) { lookFrom(ui, "side"); }},
-    Action{"View", "From above", "3", [](Ui ui) { lookFrom(ui, "top"); }},
-    Action{"View", "Template as splines", "", showView<splines>, nullptr, showsView<splines>, true},
-    Action{"View", "Template as polygons", "", showView<polygons>, nullptr, showsView<polygons>},
-    Action{"View", "Template as surface", "", showView<surface>, nullptr, showsView<surface>},
+    Action{"Edit", "Undo", "ctrl+Z", [](Ui ui) { ui.session.undo(); }, canUndo},
+    Action{"Edit", "Redo", "ctrl+shift+Z", [](Ui ui) { ui.session.redo(); }, canRedo},
+    Action{"View", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }, nullptr, nullptr, false, kExplosion},
+    Action{"View", "From the front", "1", [](Ui ui) { lookFrom(ui, "front"); }, nullptr, nullptr, false, kExplosion},
+    Action{"View", "From the side", "2", [](Ui ui) { lookFrom(ui, "side"); }, nullptr, nullptr, false, kExplosion},
+    Action{"View", "From above", "3", [](Ui ui) { lookFrom(ui, "top"); }, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Template as splines", "", showView<splines>, nullptr, showsView<splines>, true, kExplosion},
+    Action{"View", "Template as polygons", "", showView<polygons>, nullptr, showsView<polygons>, false, kExplosion},
+    Action{"View", "Template as surface", "", showView<surface>, nullptr, showsView<surface>, false, kExplosion},
     Action{"View", "Left panels", "F2", [](Ui ui) { ui.state.show_left = !ui.state.show_left; }, nullptr, [](Ui ui) { return ui.state.show_left; }, true},
     Action{"View", "Right panels", "F5", [](Ui ui) { ui.state.show_right = !ui.state.show_right; }, nullptr, [](Ui ui) { return ui.state.show_right; }},
     Action{"View", "Light theme", "", [](Ui ui) { ui.state.light = !ui.state.light; }, nullptr, [](Ui ui) { return ui.state.light; }},
-    Action{"Layer", "Add layer", "ctrl+shift+N", [](Ui ui) { ui.session.took(ui.session.document.addLayer()); }},
-    Action{"Layer", "Duplicate layer", "ctrl+D", [](Ui ui) { ui.session.took(ui.session.document.duplicateLayer()); }, hasLayer},
-    Action{"Layer", "Rename layer", "", [](Ui ui) { ui.state.rename_layer = true; }, hasLayer},
-    Action{"Layer", "Move layer up", "alt+Up", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(-1)); }, hasLayer},
-    Action{"Layer", "Move layer down", "alt+Down", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(1)); }, hasLayer},
-    Action{"Layer", "Delete layer", "ctrl+Delete", [](Ui ui) { ui.session.took(ui.session.document.deleteLayer()); }, hasLayer, nullptr, true},
-    Action{"Time", "Play or pause", "Space", [](Ui ui) { ui.session.playback.toggle(); }},
-    Action{"Time", "Go to the burst", "0", [](Ui ui) { ui.session.playback.seek(0.0); }},
-    Action{"Time", "Step back", "Comma", [](Ui ui) { ui.session.playback.step(-1); }},
-    Action{"Time", "Step on", "Period", [](Ui ui) { ui.session.playback.step(1); }},
-    Action{"Time", "Slower", "LeftBracket", [](Ui ui) { changeSpeed(ui, -1); }},
-    Action{"Time", "Faster", "RightBracket", [](Ui ui) { changeSpeed(ui, 1); }},
-    Action{"Time", "Loop", "L", [](Ui ui) { ui.session.playback.loop = !ui.session.playback.loop; }, nullptr, [](Ui ui) { return ui.session.playback.loop; }},
+    Action{"Layer", "Add layer", "ctrl+shift+N", [](Ui ui) { ui.session.took(ui.session.document.addLayer()); }, nullptr, nullptr, false, kExplosion},
+    Action{"Layer", "Duplicate layer", "ctrl+D", [](Ui ui) { ui.session.took(ui.session.document.duplicateLayer()); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Layer", "Rename layer", "", [](Ui ui) { ui.state.rename_layer = true; }, hasLayer, nullptr, false, kExplosion},
+    Action{"Layer", "Move layer up", "alt+Up", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(-1)); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Layer", "Move layer down", "alt+Down", [](Ui ui) { ui.session.took(ui.session.document.moveLayer(1)); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Layer", "Delete layer", "ctrl+Delete", [](Ui ui) { ui.session.took(ui.session.document.deleteLayer()); }, hasLayer, nullptr, true, kExplosion},
+    Action{"Time", "Play or pause", "Space", [](Ui ui) { ui.session.playback.toggle(); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Go to the burst", "0", [](Ui ui) { ui.session.playback.seek(0.0); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Step back", "Comma", [](Ui ui) { ui.session.playback.step(-1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Step on", "Period", [](Ui ui) { ui.session.playback.step(1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Slower", "LeftBracket", [](Ui ui) { changeSpeed(ui, -1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Faster", "RightBracket", [](Ui ui) { changeSpeed(ui, 1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Loop", "L", [](Ui ui) { ui.session.playback.loop = !ui.session.playback.loop; }, nullptr, [](Ui ui) { return ui.session.playback.loop; }, false, kExplosion},
+    Action{"View", "Mission mode", "F6", changeMode, nullptr, [](Ui ui) { return ui.session.inMission(); }},
     Action{"Help", "Keys and mouse", "F1", [](Ui ui) { ui.state.show_help = !ui.state.show_help; }, nullptr, [](Ui ui) { return ui.state.show_help; }},
 };
+
+/// The common actions, then those of the mission mode.
+const std::vector<Action>& allActions() {
+  static const std::vector<Action> kAll = [] {
+    std::vector<Action> out(kCommon.begin(), kCommon.end());
+    const auto mission = missionActions();
+    out.insert(out.end(), mission.begin(), mission.end());
+    return out;
+  }();
+  return kAll;
+}
 
 constexpr int number(CameraKey key) { return static_cast<int>(key); }
 
@@ -106,7 +125,7 @@ const Strokes& strokes() {
   static const Strokes kStrokes = [] {
     Strokes out;
     const auto read = [](std::string_view text) { return text.empty() ? std::nullopt : std::optional(parseKeyStroke(text).value()); };
-    for (const Action& action : kActions) out.actions.push_back(read(action.shortcut));
+    for (const Action& action : allActions()) out.actions.push_back(read(action.shortcut));
     for (const CameraKeyInfo& info : kCameraKeys) out.camera.push_back(read(info.key));
     return out;
   }();
@@ -122,20 +141,22 @@ bool pressed(const std::optional<KeyStroke>& wanted, bool repeat) {
 
 }  // namespace
 
-std::span<const Action> actions() { return kActions; }
+std::span<const Action> actions() { return allActions(); }
 std::span<const CameraKeyInfo> cameraKeys() { return kCameraKeys; }
 
 void handleKeys(const PanelContext& ui) {
   const bool typing = ImGui::GetIO().WantTextInput;
   // ImGui closes menus on Escape only in its keyboard navigation, whose arrow keys belong to the camera here.
   if (!typing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) ImGui::ClosePopupToLevel(0, true);
-  for (std::size_t i = 0; i < kActions.size(); ++i) {
-    const Action& action = kActions[i];
+  for (std::size_t i = 0; i < allActions().size(); ++i) {
+    const Action& action = allActions()[i];
+    if (!action.here(ui)) continue;
     if (action.enabled != nullptr && !action.enabled(ui)) continue;
     // A text field keeps its own keys; files can be saved and the editor left from within it.
     if (typing && (action.menu != "File" || !strokes().actions[i] || !strokes().actions[i]->ctrl)) continue;
     if (pressed(strokes().actions[i], action.label.starts_with("Step"))) action.run(ui);
   }
+  if (ui.session.inMission()) return handleMissionKeys(ui);
   for (std::size_t i = 0; i < kCameraKeys.size() && !typing; ++i)
     if (pressed(strokes().camera[i], true)) ui.session.camera = moved(ui.session.camera, static_cast<CameraKey>(kCameraKeys[i].move), keyStep_m(ui.session.radius_m()));
 }

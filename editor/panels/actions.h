@@ -2,6 +2,7 @@
 
 #include "editor/ui/context.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -15,8 +16,12 @@ struct Action {
   bool (*enabled)(const PanelContext&) = nullptr;  ///< null = always
   bool (*checked)(const PanelContext&) = nullptr;  ///< null = no check mark
   bool rule_before = false;                        ///< a line above it in the menu
+  std::optional<WorkMode> only = {};               ///< the mode it belongs to; none = both
+  bool here(const PanelContext& ui) const { return !only || *only == ui.session.mode; }
 };
 std::span<const Action> actions();
+/// Actions of the mission mode alone; actions() has them too.
+std::span<const Action> missionActions();
 
 /// The thesis's keys (appendix B.B) and what they move.
 struct CameraKeyInfo {

@@ -1,3 +1,4 @@
+#include "editor/mission/document.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
 
@@ -24,7 +25,7 @@ void drawEntries(const PanelContext& ui) {
   Session& session = ui.session;
   const FolderListing listing = session.files.listing;  // a copy: entering a folder replaces it while it is drawn
   if (!listing.problem.empty()) ImGui::TextWrapped("%s", listing.problem.c_str());
-  else if (listing.entries.empty()) ImGui::TextDisabled("No folders and no presets here.");
+  else if (listing.entries.empty()) ImGui::TextDisabled("No folders, presets or missions here.");
   for (const FolderListing::Entry& entry : listing.entries) {
     const bool clicked = listLine(ui, (entry.folder ? "folder:" : "file:") + entry.name, entry.folder ? Icon::folder : Icon::file, entry.name, entry.name == session.files.name);
     if (!clicked && !(ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) continue;
@@ -72,11 +73,12 @@ namespace {
 
 /// A preset with its title over the file's name.
 void libraryLine(const PanelContext& ui, const LibraryEntry& entry, bool open) {
-  const std::string file = entry.path.filename().string(), name = file.substr(0, file.size() - std::string_view(".npsee.json").size());
+  const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(44), inset = ui.px(10);
-  const bool clicked = ImGui::InvisibleButton(("preset:" + name).c_str(), ImVec2(width, height));
-  ui.item("preset:" + name);
+  const std::string item = (isMissionFile(entry.path) ? "mission:" : "preset:") + name;
+  const bool clicked = ImGui::InvisibleButton(item.c_str(), ImVec2(width, height));
+  ui.item(item);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (open || ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, ui.theme.raised, ui.px(4));
   if (open) list.AddRectFilled({at.x, at.y + ui.px(8)}, {at.x + ui.px(3), at.y + height - ui.px(8)}, ui.theme.accent, ui.px(1));
@@ -84,7 +86,7 @@ void libraryLine(const PanelContext& ui, const LibraryEntry& entry, bool open) {
   ImGui::PushFont(ui.fonts.small);
   rowText({at.x + inset, at.y + ui.px(22)}, width - 2.0f * inset, ui.px(18), ui.theme.dim, entry.readable ? name : "cannot be read");
   ImGui::PopFont();
-  if (ui.resting("preset:" + name, entry.path.string()) && !entry.description.empty()) tooltip(ui, entry.description);
+  if (ui.resting(item, entry.path.string()) && !entry.description.empty()) tooltip(ui, entry.description);
   if (clicked && !open) ui.session.open(entry.path);
 }
 
@@ -92,16 +94,20 @@ void libraryLine(const PanelContext& ui, const LibraryEntry& entry, bool open) {
 
 void drawLibraryPanel(const PanelContext& ui) {
   heading(ui, "Library");
+  drawLibraryList(ui);
+}
+
+void drawLibraryList(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(2)));
   ImGui::BeginChild("library", ImVec2(0, 0));
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   std::error_code ignored;
-  const auto& path = ui.session.document.path();
+  const auto& path = ui.session.path();
   const std::filesystem::path now = path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal();
   for (const LibraryEntry& entry : ui.session.library()) libraryLine(ui, entry, entry.path == now);
   if (ui.session.library().empty()) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("No shipped presets were found. File > Open shows any folder.");
+    ImGui::TextDisabled("Nothing shipped was found. File > Open shows any folder.");
     ImGui::PopTextWrapPos();
   }
   ImGui::EndChild();

@@ -24,7 +24,7 @@ struct MouseUse {
   const char *how, *what;
 };
 constexpr std::array kMouse{
-    MouseUse{"Left drag", "turn around the effect"}, MouseUse{"Middle drag", "shift the view"}, MouseUse{"Wheel", "nearer, to the pointer"},
+    MouseUse{"Left drag", "turn the view"}, MouseUse{"Middle drag", "shift the view"}, MouseUse{"Wheel", "nearer, to the pointer"},
     MouseUse{"Double click", "type a value with a unit"}, MouseUse{"Shift+drag", "ten times finer"}, MouseUse{"Right button", "menus, template views"},
 };
 
@@ -41,12 +41,16 @@ void drawHelpPanel(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
   ImGui::BeginChild("help", ImVec2(0, 0));
   for (const MouseUse& use : kMouse) line(ui, use.how, use.what);
-  const std::string step = shortNumber(keyStep_m(ui.session.radius_m()));
-  heading(ui, ("Camera, " + step + " m a press").c_str());
-  for (const CameraKeyInfo& info : cameraKeys()) line(ui, std::string(info.key), std::string(info.doc));
+  if (!ui.session.inMission()) {
+    const std::string step = shortNumber(keyStep_m(ui.session.radius_m()));
+    heading(ui, ("Camera, " + step + " m a press").c_str());
+    for (const CameraKeyInfo& info : cameraKeys()) line(ui, std::string(info.key), std::string(info.doc));
+  } else {
+    line(ui, "W A S D", "drive the vehicle you took over");
+  }
   heading(ui, "Commands");
   for (const Action& action : actions())
-    if (!action.shortcut.empty()) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
+    if (!action.shortcut.empty() && action.here(ui)) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
   ImGui::EndChild();
   ImGui::PopStyleVar();
 }

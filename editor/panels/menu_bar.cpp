@@ -1,8 +1,10 @@
+#include "editor/mission/session.h"
 #include "editor/panels/actions.h"
 #include "editor/panels/panels.h"
 #include "editor/script/parser.h"
 #include "editor/ui/controls.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,7 +17,7 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
   ui.item("menu:" + name);
   if (!open) return;
   for (const Action& action : actions()) {
-    if (action.menu != menu) continue;
+    if (action.menu != menu || !action.here(ui)) continue;
     if (action.rule_before) ImGui::Separator();
     const std::string label(action.label);
     const auto stroke = action.shortcut.empty() ? Expected<KeyStroke>(KeyStroke{}) : parseKeyStroke(action.shortcut);
@@ -23,9 +25,11 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
     const bool checked = action.checked != nullptr && action.checked(ui);
     const bool enabled = action.enabled == nullptr || action.enabled(ui);
     std::string shown = label;
-    const History& history = ui.session.document.history();
-    if (label == "Undo" && enabled) shown += ' ' + std::string(history.undoLabel());
-    if (label == "Redo" && enabled) shown += ' ' + std::string(history.redoLabel());
+    const bool mission = ui.session.inMission();
+    const History& preset = ui.session.document.history();
+    const MissionHistory& history = ui.session.mission().document.history();
+    if (label == "Undo" && enabled) shown += ' ' + std::string(mission ? history.undoLabel() : preset.undoLabel());
+    if (label == "Redo" && enabled) shown += ' ' + std::string(mission ? history.redoLabel() : preset.redoLabel());
     if (ImGui::MenuItem((shown + "###" + label).c_str(), shortcut.c_str(), checked, enabled)) action.run(ui);
     ui.item("item:" + label);
   }
@@ -34,8 +38,8 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
 
 /// File name with the mark of unsaved work, at the bar's right end.
 void drawTitle(const PanelContext& ui) {
-  const Document& document = ui.session.document;
-  const std::string name = document.name();
+  const std::string name = ui.session.name();
+  const bool dirty = ui.session.dirty();
   const float mark = ui.px(16), right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.px(12);
   const float top = ImGui::GetWindowPos().y, height = ImGui::GetFrameHeight();
   ImGui::PushFont(ui.fonts.bold);
@@ -43,8 +47,35 @@ void drawTitle(const PanelContext& ui) {
   const float left = std::max(ImGui::GetCursorScreenPos().x + ui.px(16), right - width - mark);
   rowText({left, top}, right - mark - left, height, ui.theme.text, name);
   ImGui::PopFont();
-  if (document.dirty()) ImGui::GetWindowDrawList()->AddCircleFilled({right - ui.px(4), std::floor(top + 0.5f * height)}, ui.px(4), ui.theme.accent, 16);
-  ui.item(document.dirty() ? "title:unsaved" : "title:saved", {left, top}, {right, top + height});
+  if (dirty) ImGui::GetWindowDrawList()->AddCircleFilled({right - ui.px(4), std::floor(top + 0.5f * height)}, ui.px(4), ui.theme.accent, 16);
+  ui.item(dirty ? "title:unsaved" : "title:saved", {left, top}, {right, top + height});
+}
+
+/// [ Explosion | Mission ], in the bar's middle where there is room.
+void drawModes(const PanelContext& ui) {
+  const float top = ImGui::GetWindowPos().y, height = ImGui::GetFrameHeight();
+  const char* const names[] = {"Explosion", "Mission"};
+  const float widths[] = {ImGui::CalcTextSize(names[0]).x + ui.px(20), ImGui::CalcTextSize(names[1]).x + ui.px(20)};
+  const float middle = ImGui::GetWindowPos().x + 0.5f * (ImGui::GetWindowWidth() - widths[0] - widths[1]);
+  float x = std::floor(std::max(ImGui::GetCursorScreenPos().x + ui.px(12), middle));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = top + ui.px(4), tall = height - ui.px(8);
+  list.AddRectFilled({x, y}, {x + widths[0] + widths[1], y + tall}, ui.theme.background, ui.px(4));
+  for (int i = 0; i < 2; ++i) {
+    const auto mode = static_cast<WorkMode>(i);
+    ImGui::SetCursorScreenPos({x, y});
+    if (ImGui::InvisibleButton(names[i], ImVec2(widths[i], tall)) && ui.session.mode != mode) {
+      ui.session.endMerge();
+      ui.session.mode = mode;
+    }
+    ui.item(std::string("mode:") + names[i]);
+    const bool on = ui.session.mode == mode;
+    if (on) list.AddRectFilled({x, y}, {x + widths[i], y + tall}, ui.theme.line, ui.px(4));
+    const ImVec2 size = ImGui::CalcTextSize(names[i]);
+    list.AddText({std::floor(x + 0.5f * (widths[i] - size.x)), std::floor(y + 0.5f * (tall - size.y))}, on ? ui.theme.accent : ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, names[i]);
+    x += widths[i];
+  }
+  ImGui::SetCursorScreenPos({x, top});
 }
 
 }  // namespace
@@ -54,8 +85,9 @@ void drawMenuBar(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(6)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   if (ImGui::BeginMenuBar()) {
-    constexpr std::array<std::string_view, 6> kMenus{"File", "Edit", "View", "Layer", "Time", "Help"};
-    for (const std::string_view menu : kMenus) drawMenu(ui, menu);
+    const std::array<std::string_view, 6> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Time", "Help"};
+    for (const std::string_view menu : menus) drawMenu(ui, menu);
+    drawModes(ui);
     drawTitle(ui);
     ImGui::EndMenuBar();
   }

@@ -29,8 +29,8 @@ void strip(const PanelContext& ui, const char* id, ImU32 edge, const std::string
 
 void drawQuestion(const PanelContext& ui) {
   const Session& session = ui.session;
-  const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : "starting a new preset";
-  const std::string text = "\"" + session.document.name() + "\" has changes that are not saved. Save them before " + next + "?";
+  const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : session.inMission() ? "starting a new mission" : "starting a new preset";
+  const std::string text = "\"" + session.askingAbout() + "\" has changes that are not saved. Save them before " + next + "?";
   strip(ui, "strip:question", ui.theme.accent, text, ui.px(196), [&] {
     if (textButton(ui, "Save", "save", true)) ui.session.answer(Answer::save);
     ImGui::SameLine();

@@ -10,6 +10,8 @@ void drawMenuBar(const PanelContext& ui);
 void drawNotices(const PanelContext& ui);
 void drawFilePanel(const PanelContext& ui);
 void drawLibraryPanel(const PanelContext& ui);
+/// The library without its heading.
+void drawLibraryList(const PanelContext& ui);
 void drawTemplatePanel(const PanelContext& ui);
 void drawViewport(const PanelContext& ui);
 void drawLayerPanel(const PanelContext& ui);

@@ -17,7 +17,7 @@ struct NamedKey {
 };
 
 // Letters, digits and function keys follow from their codes; these have names.
-constexpr std::array<NamedKey, 38> kKeys{{
+constexpr std::array<NamedKey, 39> kKeys{{
     {"Up", GLFW_KEY_UP}, {"Down", GLFW_KEY_DOWN}, {"Left", GLFW_KEY_LEFT}, {"Right", GLFW_KEY_RIGHT},
     {"Home", GLFW_KEY_HOME}, {"End", GLFW_KEY_END}, {"PageUp", GLFW_KEY_PAGE_UP}, {"PageDown", GLFW_KEY_PAGE_DOWN},
     {"Space", GLFW_KEY_SPACE}, {"Enter", GLFW_KEY_ENTER}, {"Escape", GLFW_KEY_ESCAPE}, {"Tab", GLFW_KEY_TAB},
@@ -25,7 +25,7 @@ constexpr std::array<NamedKey, 38> kKeys{{
     {"Comma", GLFW_KEY_COMMA}, {"Period", GLFW_KEY_PERIOD}, {"Minus", GLFW_KEY_MINUS}, {"Equal", GLFW_KEY_EQUAL}, {"Slash", GLFW_KEY_SLASH},
     {"KP0", GLFW_KEY_KP_0}, {"KP1", GLFW_KEY_KP_1}, {"KP2", GLFW_KEY_KP_2}, {"KP3", GLFW_KEY_KP_3}, {"KP4", GLFW_KEY_KP_4},
     {"KP5", GLFW_KEY_KP_5}, {"KP6", GLFW_KEY_KP_6}, {"KP7", GLFW_KEY_KP_7}, {"KP8", GLFW_KEY_KP_8}, {"KP9", GLFW_KEY_KP_9},
-    {"KPEnter", GLFW_KEY_KP_ENTER}, {"F1", GLFW_KEY_F1}, {"F2", GLFW_KEY_F2}, {"F5", GLFW_KEY_F5}, {"F11", GLFW_KEY_F11},
+    {"KPEnter", GLFW_KEY_KP_ENTER}, {"F1", GLFW_KEY_F1}, {"F2", GLFW_KEY_F2}, {"F5", GLFW_KEY_F5}, {"F6", GLFW_KEY_F6}, {"F11", GLFW_KEY_F11},
     {"LeftBracket", GLFW_KEY_LEFT_BRACKET}, {"RightBracket", GLFW_KEY_RIGHT_BRACKET}, {"Apostrophe", GLFW_KEY_APOSTROPHE},
 }};
 

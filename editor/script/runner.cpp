@@ -1,5 +1,7 @@
 #include "editor/script/runner.h"
 
+#include "editor/mission/session.h"
+
 #include "sim/core/text.h"
 
 #include <algorithm>
@@ -29,9 +31,9 @@ int buttonOf(const ScriptCommand& command) {
 /// Prefixes under which a command looks for a name that is no item's full name.
 std::vector<std::string> prefixesFor(const std::string& command) {
   if (command == "drag") return {"", "thumb:", "number:", "splitter:", "handle:"};
-  if (command == "rightclick" || command == "hover") return {"", "row:", "button:", "layer:"};
-  if (command == "doubleclick") return {"", "value:", "number:", "layer:"};
-  return {"", "button:", "menu:", "item:", "toggle:", "choice:", "colour:", "text:", "life:", "layer:", "row:"};
+  if (command == "rightclick" || command == "hover") return {"", "row:", "button:", "layer:", "tab:", "toggle:", "vehicle:", "gun:", "observer:", "battery:"};
+  if (command == "doubleclick") return {"", "value:", "number:", "layer:", "vehicle:", "gun:", "observer:"};
+  return {"", "button:", "menu:", "item:", "toggle:", "choice:", "colour:", "text:", "life:", "layer:", "row:", "tab:", "mode:", "vehicle:", "gun:", "observer:", "battery:", "event:"};
 }
 
 /// The parameter meant by "LAYER.key" or "key", with or without an item's prefix and a component behind it.
@@ -110,7 +112,7 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
   } else if (name == "note") {
     for (auto& [fact_name, value] : editor.facts()) noted_[fact_name] = value;
     for (const Parameter& parameter : parameters())
-      if (parameter.scope == Scope::burst || editor.session().document.hasLayer()) {
+      if (!editor.session().inMission() && (parameter.scope == Scope::burst || editor.session().document.hasLayer())) {
         const std::string parameter_name = parameterName(editor.session().document, parameter);
         noted_[parameter_name] = *fact(editor, parameter_name);
       }
@@ -138,11 +140,17 @@ Expected<ScriptRunner::Progress> ScriptRunner::set(Editor& editor, const ScriptC
   if (name == "time") {
     const auto time = parseQuantity(value, Unit::second);
     if (!time) return bad(command, time.error().faults.front().what);
-    session.playback.playing = false;
-    session.playback.seek(*time);
+    if (session.inMission()) {
+      session.mission().clock.playing = false;
+      session.mission().clock.seek(*time);
+    } else {
+      session.playback.playing = false;
+      session.playback.seek(*time);
+    }
     steps_.push_back({});
     return Progress::done;
   }
+  if (session.inMission()) return setInMission(editor, command);
   int layer = session.document.selected();
   const Parameter* parameter = parameterNamed(session.document, name, layer);
   if (parameter == nullptr) return noSuch(editor, command, "parameter", name);
@@ -155,6 +163,32 @@ Expected<ScriptRunner::Progress> ScriptRunner::set(Editor& editor, const ScriptC
   if (std::string wrong = std::exchange(editor.state().typed_error, {}); !wrong.empty()) return bad(command, wrong);
   if (!editor.state().typed.contains(name)) {
     steps_.push_back({});  // in which the explosion follows
+    return Progress::done;
+  }
+  if (attempts_ < kPatience) return Progress::again;
+  editor.state().typed.clear();
+  return noSuch(editor, command, "parameter", name);
+}
+
+/// "fo1.sensing.location_cep" selects fo1; "world.weather.visibility" the mission; the forms of the person in the loop are "call.x" and
+/// the like.
+Expected<ScriptRunner::Progress> ScriptRunner::setInMission(Editor& editor, const ScriptCommand& command) {
+  const std::string &name = command.arguments[0], &value = command.arguments[1];
+  MissionDocument& document = editor.session().mission().document;
+  const bool form = name.starts_with("call.") || name.starts_with("correct.");
+  if (attempts_ == 0) {
+    if (!form) document.select({});
+    for (const std::string& id : allNames(document.scenario()))
+      for (const auto kind : {ObjectRef::Kind::vehicle, ObjectRef::Kind::group, ObjectRef::Kind::battery, ObjectRef::Kind::gun, ObjectRef::Kind::observer})
+        if (name.starts_with(id + '.') && exists(document.scenario(), {kind, id})) document.select({kind, id});
+    editor.state().typed[name] = value;
+    editor.state().show_right = true;
+    editor.state().mission.right = form ? MissionUi::Right::command : MissionUi::Right::parameters;
+    return Progress::again;
+  }
+  if (std::string wrong = std::exchange(editor.state().typed_error, {}); !wrong.empty()) return bad(command, wrong);
+  if (!editor.state().typed.contains(name)) {
+    steps_.push_back({});
     return Progress::done;
   }
   if (attempts_ < kPatience) return Progress::again;
@@ -183,7 +217,13 @@ Expected<ScriptRunner::Progress> ScriptRunner::pointAt(Editor& editor, const Scr
     return Progress::done;
   }
   int layer = editor.session().document.selected();
-  const Parameter* parameter = parameterNamed(editor.session().document, name, layer);
+  const bool mission = editor.session().inMission();
+  const Parameter* parameter = mission ? nullptr : parameterNamed(editor.session().document, name, layer);
+  // In a mission any name may be that of a row or list entry which is not drawn yet.
+  if (mission && hidden == nullptr && attempts_ < kPatience) {
+    editor.items().want(name);
+    return Progress::again;
+  }
   if ((parameter != nullptr || hidden != nullptr) && attempts_ < kPatience) {
     if (parameter != nullptr && parameter->scope == Scope::layer) editor.session().document.select(layer);
     // Unfold and scroll first; then the widget itself can be found.
@@ -243,6 +283,7 @@ void ScriptRunner::apply(const Step& step) {
 std::optional<std::string> ScriptRunner::fact(Editor& editor, const std::string& name) const {
   for (const auto& [known, value] : editor.facts())
     if (known == name) return value;
+  if (editor.session().inMission()) return std::nullopt;
   const Document& document = editor.session().document;
   if (const Parameter* parameter = findParameter(Scope::burst, name)) return valueText(*parameter, parameter->get(document.preset()));
   const std::size_t dot = name.find('.');
@@ -274,7 +315,7 @@ Expected<ScriptRunner::Progress> ScriptRunner::expect(Editor& editor, const Scri
     const auto noted = noted_.find(name);
     if (noted == noted_.end()) return bad(command, name + " was not noted.", "Write `note` in a line before.");
     wanted = noted->second;
-  } else if (int layer = 0; const Parameter* parameter = parameterNamed(editor.session().document, name, layer)) {
+  } else if (int layer = 0; const Parameter* parameter = editor.session().inMission() ? nullptr : parameterNamed(editor.session().document, name, layer)) {
     // Values may be written with any unit that fits.
     if (const auto value = parseValue(*parameter, wanted)) wanted = valueText(*parameter, *value);
   }
@@ -304,6 +345,9 @@ tl::unexpected<Error> ScriptRunner::noSuch(Editor& editor, const ScriptCommand& 
       if (item.visible) names.push_back(item.name);
   if (kind == "fact")
     for (const auto& [known, value] : editor.facts()) names.push_back(known);
+  if (editor.session().inMission() && kind == "parameter")
+    for (const Items::Item& item : editor.items().all())
+      if (item.name.starts_with("row:")) names.push_back(item.name.substr(4));
   for (const Parameter& parameter : parameters(Scope::burst)) names.emplace_back(parameter.key);
   for (const Layer& layer : document.preset().layers)
     for (const Parameter& parameter : parameters(Scope::layer)) names.push_back(layer.name + '.' + std::string(parameter.key));

@@ -42,6 +42,7 @@ class ScriptRunner {
 
   Expected<Progress> begin(Editor& editor, const ScriptCommand& command);
   Expected<Progress> set(Editor& editor, const ScriptCommand& command);
+  Expected<Progress> setInMission(Editor& editor, const ScriptCommand& command);
   Expected<Progress> pointAt(Editor& editor, const ScriptCommand& command);
   Expected<Progress> expect(Editor& editor, const ScriptCommand& command);
   Expected<Progress> print(Editor& editor, const ScriptCommand& command);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "app/render/mission_scene.h"
 #include "editor/document/session.h"
 #include "editor/ui/items.h"
+#include "editor/ui/mission_state.h"
 #include "editor/ui/theme.h"
 
 #include <npsee/parameters.h>
@@ -10,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -20,6 +23,10 @@ class Pictures {
   /// Texture of the explosion (template) drawn at that size in pixels, origin lower left; null when nothing was drawn.
   virtual ImTextureID explosion(const Session& session, int width, int height) = 0;
   virtual ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) = 0;
+  /// The mission at the moment shown, as its camera sees it; and where its things stand in that picture. Null and empty before there
+  /// is a recording.
+  virtual ImTextureID mission(const MissionSession& session, int width, int height) = 0;
+  virtual const std::vector<render::MissionMark>& marks(const MissionSession& session, int width, int height) = 0;
 };
 
 /// What the widgets remember from frame to frame. Panels have no other state.
@@ -69,6 +76,7 @@ struct UiState {
   render::TemplateHandle handle = render::TemplateHandle::none;  ///< of the template, under the pointer or held
   std::string seen_layer;  ///< the selected one; another one is scrolled into view
   bool rename_layer = false;  ///< the selected layer's name is being edited
+  MissionUi mission;
 };
 
 /// What every panel function gets: the document with its session, and the means to draw.

@@ -60,6 +60,55 @@ void heading(const PanelContext& ui, const char* title) {
   ImGui::Dummy(ImVec2(width, height));
 }
 
+int tabStrip(const PanelContext& ui, const std::string& id, const std::vector<std::string>& titles, int chosen) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(26);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushID(id.c_str());
+  ImGui::PushFont(ui.fonts.small);
+  list.AddLine({at.x, at.y + height - 1}, {at.x + width, at.y + height - 1}, ui.theme.line);
+  float x = at.x;
+  for (int i = 0; i < static_cast<int>(titles.size()); ++i) {
+    const std::string text = capitals(titles[static_cast<std::size_t>(i)]), full = "tab:" + titles[static_cast<std::size_t>(i)];
+    const float taken = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorScreenPos({x, at.y});
+    if (ImGui::InvisibleButton(full.c_str(), ImVec2(taken + ui.px(6), height))) chosen = i;
+    ui.item(full);
+    const bool on = i == chosen;
+    rowText({x, at.y}, taken + ui.px(4), height, on || ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, text);
+    if (on) list.AddRectFilled({x, at.y + height - ui.px(2)}, {x + taken, at.y + height}, ui.theme.accent);
+    x += taken + ui.px(18);
+  }
+  ImGui::PopFont();
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy(ImVec2(width, height));
+  return chosen;
+}
+
+float chipWidth(const PanelContext& ui, const std::string& label) {
+  ImGui::PushFont(ui.fonts.small);
+  const float width = ImGui::CalcTextSize(label.c_str()).x + ui.px(14);
+  ImGui::PopFont();
+  return std::floor(width);
+}
+
+bool chip(const PanelContext& ui, const std::string& label, const std::string& name, bool on, const std::string& tip) {
+  const std::string full = "toggle:" + name;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = chipWidth(ui, label), height = ui.px(22);
+  const bool clicked = ImGui::InvisibleButton(full.c_str(), ImVec2(width, height));
+  ui.item(full);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (on || hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, on ? ui.theme.line : ui.theme.raised, ui.px(4));
+  ImGui::PushFont(ui.fonts.small);
+  rowText({at.x + ui.px(7), at.y}, width, height, on ? ui.theme.accent : hovered ? ui.theme.text : ui.theme.dim, label);
+  ImGui::PopFont();
+  if (ui.resting(full, tip) && !tip.empty()) tooltip(ui, tip);
+  return clicked;
+}
+
 bool foldingHeading(const PanelContext& ui, const std::string& title, bool folded) {
   const std::string full = "section:" + title;
   const ImVec2 at = ImGui::GetCursorScreenPos();

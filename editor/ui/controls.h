@@ -4,6 +4,7 @@
 #include "editor/ui/icons.h"
 
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -18,6 +19,14 @@ bool beginChoice(const PanelContext& ui, const std::string& id, const std::strin
 
 /// Heading in small capitals over a thin line, the full width, without room for controls.
 void heading(const PanelContext& ui, const char* title);
+
+/// Headings side by side of which one is chosen, each named "tab:TITLE", over a thin line. Returns the chosen one.
+int tabStrip(const PanelContext& ui, const std::string& id, const std::vector<std::string>& titles, int chosen);
+
+/// A small button that stays pressed, named "toggle:NAME". Returns true when it was clicked.
+bool chip(const PanelContext& ui, const std::string& label, const std::string& name, bool on, const std::string& tooltip = {});
+/// Its width.
+float chipWidth(const PanelContext& ui, const std::string& label);
 
 /// A heading that folds; named "section:TITLE". Returns true when it was clicked.
 bool foldingHeading(const PanelContext& ui, const std::string& title, bool folded);

@@ -38,6 +38,8 @@ void drawTransport(const Pen& p, Icon icon) {
     case Icon::to_end: p.bar(0.5f, -0.7f, 0.75f, 0.7f); return p.triangle({-0.7f, -0.7f}, {0.4f, 0.0f}, {-0.7f, 0.7f});
     case Icon::step_back: return p.line({{0.35f, -0.6f}, {-0.35f, 0.0f}, {0.35f, 0.6f}});
     case Icon::step_on: return p.line({{-0.35f, -0.6f}, {0.35f, 0.0f}, {-0.35f, 0.6f}});
+    case Icon::event_back: p.line({{0.1f, -0.6f}, {-0.6f, 0.0f}, {0.1f, 0.6f}}); return p.bar(0.4f, -0.65f, 0.58f, 0.65f);
+    case Icon::event_on: p.line({{-0.1f, -0.6f}, {0.6f, 0.0f}, {-0.1f, 0.6f}}); return p.bar(-0.58f, -0.65f, -0.4f, 0.65f);
     case Icon::loop:
       p.arc(0.0f, 0.0f, 0.65f, -0.9f, 2.2f);
       p.arc(0.0f, 0.0f, 0.65f, 2.7f, 4.9f);
@@ -76,6 +78,11 @@ void drawMark(const Pen& p, Icon icon) {
     case Icon::chevron_right: return p.line({{-0.25f, -0.5f}, {0.25f, 0.0f}, {-0.25f, 0.5f}});
     case Icon::chevron_down: return p.line({{-0.5f, -0.25f}, {0.0f, 0.25f}, {0.5f, -0.25f}});
     case Icon::up: p.line({{0.0f, 0.8f}, {0.0f, -0.7f}}); return p.line({{-0.55f, -0.15f}, {0.0f, -0.7f}, {0.55f, -0.15f}});
+    case Icon::frame:
+      p.line({{-0.75f, -0.3f}, {-0.75f, -0.75f}, {-0.3f, -0.75f}});
+      p.line({{0.3f, -0.75f}, {0.75f, -0.75f}, {0.75f, -0.3f}});
+      p.line({{0.75f, 0.3f}, {0.75f, 0.75f}, {0.3f, 0.75f}});
+      return p.line({{-0.3f, 0.75f}, {-0.75f, 0.75f}, {-0.75f, 0.3f}});
     case Icon::search: p.arc(-0.15f, -0.15f, 0.5f, 0.0f, 6.2831853f); return p.line({{0.22f, 0.22f}, {0.75f, 0.75f}});
     default: return;
   }

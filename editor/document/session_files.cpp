@@ -1,0 +1,149 @@
+// Opening, saving and leaving: what may be lost is asked about first.
+
+#include "editor/document/session.h"
+#include "editor/mission/session.h"
+
+#include <utility>
+
+namespace npsee::editor {
+
+namespace fs = std::filesystem;
+
+void Session::startNew() { begin(Intent::start_new); }
+void Session::open(const fs::path& path) { begin(Intent::open, path); }
+void Session::quit() { begin(Intent::quit); }
+
+void Session::begin(Intent intent, fs::path path) {
+  intent_ = intent;
+  intent_path_ = std::move(path);
+  given_up_ = {};
+  document.endMerge();
+  mission_->document.endMerge();
+  goOn();
+}
+
+/// The mode whose unsaved work would be lost and is not yet given up.
+std::optional<WorkMode> Session::endangered() const {
+  const WorkMode replaced = intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode;
+  for (const WorkMode which : {WorkMode::explosion, WorkMode::mission}) {
+    if (intent_ == Intent::none || given_up_[static_cast<std::size_t>(which)] || (intent_ != Intent::quit && which != replaced)) continue;
+    if (which == WorkMode::explosion ? document.dirty() : mission_->document.dirty()) return which;
+  }
+  return std::nullopt;
+}
+
+/// Asks about what would be lost, shown while it is asked about, or does what was wanted.
+void Session::goOn() {
+  if (const auto which = endangered()) mode = *which;
+  else proceed();
+}
+
+std::string Session::askingAbout() const { return name(); }
+
+void Session::proceed() {
+  const Intent intent = std::exchange(intent_, Intent::none);
+  proceed_after_save_ = false;
+  if (intent == Intent::quit) quitting_ = true;
+  if (intent == Intent::open) loadNow(intent_path_);
+  if (intent != Intent::start_new) return;
+  if (inMission()) {
+    mission_->startNew();
+  } else {
+    document.startNew();
+    frame_on_compile_ = true;
+  }
+  notices = {};
+}
+
+void Session::loadNow(const fs::path& path) {
+  const bool mission = isMissionFile(path);
+  if (!took(mission ? mission_->load(path) : document.load(path))) return;
+  notices = {{}, "Opened " + path.string()};
+  mode = mission ? WorkMode::mission : WorkMode::explosion;
+  if (!mission) {
+    frame_on_compile_ = true;
+    playback.time_s = 0.0;
+  }
+  closeFiles();
+}
+
+void Session::answer(Answer answer) {
+  if (intent_ == Intent::none) return;
+  const auto about = endangered();
+  if (!about) return goOn();
+  if (answer == Answer::discard) {
+    given_up_[static_cast<std::size_t>(*about)] = true;
+    return goOn();
+  }
+  if (answer == Answer::cancel) {
+    intent_ = Intent::none;
+    return;
+  }
+  proceed_after_save_ = true;
+  mode = *about;
+  save();
+}
+
+std::string Session::name() const { return inMission() ? mission_->document.name() : document.name(); }
+bool Session::dirty() const { return inMission() ? mission_->document.dirty() : document.dirty(); }
+const fs::path& Session::path() const { return inMission() ? mission_->document.path() : document.path(); }
+std::string Session::title() const { return name() + (dirty() ? " *" : ""); }
+
+bool Session::undo() { return inMission() ? mission_->document.undo() : document.undo(); }
+bool Session::redo() { return inMission() ? mission_->document.redo() : document.redo(); }
+void Session::endMerge() { inMission() ? mission_->document.endMerge() : document.endMerge(); }
+
+void Session::save() {
+  if (path().empty()) return showFiles(FilePanel::Mode::save_as);
+  if (!took(inMission() ? mission_->document.save() : document.save())) {
+    proceed_after_save_ = false;
+    return;
+  }
+  notices = {{}, "Saved " + path().string()};
+  if (std::exchange(proceed_after_save_, false)) goOn();
+}
+
+Expected<void> Session::saveDocumentAs(const fs::path& path) { return inMission() ? mission_->document.saveAs(path) : document.saveAs(path); }
+
+void Session::showFiles(FilePanel::Mode wanted) {
+  files.mode = wanted;
+  const fs::path start = !path().empty() ? path().parent_path() : inMission() && !options_.missions.empty() ? options_.missions : files.listing.folder;
+  files.name = wanted == FilePanel::Mode::save_as ? name() + (inMission() ? ".mission.json" : ".npsee.json") : "";
+  files.replacing.clear();
+  files.listing = listFolder(start);
+}
+
+void Session::enterFolder(const fs::path& folder) { files.listing = listFolder(folder); }
+
+void Session::confirmFiles() {
+  if (files.name.empty()) {
+    notices.error = "The name of the file is missing.\n  Write a name, or click one in the list.";
+    return;
+  }
+  const fs::path path = (files.listing.folder / files.name).lexically_normal();
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    enterFolder(path);
+    files.name.clear();
+    return;
+  }
+  if (files.mode == FilePanel::Mode::open) return open(path);
+  const fs::path target = inMission() ? MissionDocument::fileFor(path) : Document::fileFor(path);
+  if (fs::exists(target, ignored) && target != this->path() && target != files.replacing) {
+    files.replacing = target;
+    return;
+  }
+  if (!took(saveDocumentAs(path))) return;
+  notices = {{}, "Saved " + this->path().string()};
+  const bool go_on = proceed_after_save_;
+  closeFiles();
+  if (go_on) goOn();
+}
+
+void Session::closeFiles() {
+  files.mode = FilePanel::Mode::closed;
+  // Leaving the panel without saving means the question is still open.
+  proceed_after_save_ = false;
+}
+
+}  // namespace npsee::editor

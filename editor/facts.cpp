@@ -1,0 +1,99 @@
+// What scripts can ask for by name.
+
+#include "editor/editor.h"
+#include "editor/mission/session.h"
+
+#include <npsee/units.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace npsee::editor {
+namespace {
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+std::string yes(bool b) { return b ? "yes" : "no"; }
+
+void addExplosion(const Session& session, Facts& out) {
+  const Document& document = session.document;
+  const render::Camera& camera = session.camera;
+  constexpr const char* kViews[] = {"splines", "polygons", "surface"};
+  out.insert(out.end(), {
+      {"eye.x", shortest(camera.eye.x)}, {"eye.y", shortest(camera.eye.y)}, {"eye.z", shortest(camera.eye.z)},
+      {"target.x", shortest(camera.target.x)}, {"target.y", shortest(camera.target.y)}, {"target.z", shortest(camera.target.z)},
+      {"distance", shortest(length(camera.eye - camera.target))},
+      {"time", shortest(session.playback.time_s)}, {"duration", shortest(session.playback.duration_s)},
+      {"playing", yes(session.playback.playing)}, {"loop", yes(session.playback.loop)}, {"speed", shortest(session.playback.speed)},
+      {"alive", std::to_string(session.alive())},
+      {"particles", std::to_string(session.explosion() != nullptr ? session.explosion()->particleCount() : 0)},
+      {"layers", std::to_string(document.preset().layers.size())}, {"layer", document.hasLayer() ? document.layer().name : std::string()},
+      {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())},
+      {"undo.label", std::string(document.history().undoLabel())},
+      {"template.view", kViews[static_cast<int>(session.template_view)]},
+      {"template.yaw", shortest(session.template_yaw_rad)}, {"template.pitch", shortest(session.template_pitch_rad)},
+  });
+}
+
+void addMissionCamera(const render::MissionCamera& camera, Facts& out) {
+  constexpr std::array kKinds{"free", "orbit", "follow", "gun", "observer", "plan"};
+  out.insert(out.end(), {
+      {"camera", kKinds[static_cast<std::size_t>(camera.kind)]}, {"camera.subject", std::to_string(camera.subject)},
+      {"eye.x", shortest(camera.eye.x)}, {"eye.y", shortest(camera.eye.y)}, {"eye.z", shortest(camera.eye.z)},
+      {"target.x", shortest(camera.target.x)}, {"target.y", shortest(camera.target.y)}, {"target.z", shortest(camera.target.z)},
+      {"distance", shortest(camera.distance_m)}, {"yaw", shortest(camera.yaw_rad)}, {"pitch", shortest(camera.pitch_rad)}, {"field", shortest(camera.field_mil)}, {"span", shortest(camera.span_m)},
+  });
+}
+
+void addMission(const MissionSession& mission, const UiState& state, Facts& out) {
+  const MissionDocument& document = mission.document;
+  addMissionCamera(mission.view.camera, out);
+  const Recording* recording = mission.recording();
+  const std::size_t events = recording != nullptr ? recording->events.size() : 0;
+  const auto last = mission.lastEvent();
+  out.insert(out.end(), {
+      {"time", shortest(mission.clock.time_s)}, {"duration", shortest(mission.clock.duration_s)}, {"playing", yes(mission.clock.playing)}, {"speed", shortest(mission.clock.speed)},
+      {"simulated", shortest(recording != nullptr ? recording->duration_s : 0.0)}, {"finished", yes(recording != nullptr && recording->finished)}, {"hash", recording != nullptr ? recording->hash : ""},
+      {"live", yes(mission.live())}, {"commands", std::to_string(document.commands()->size())},
+      {"events", std::to_string(events)}, {"events.listed", std::to_string(state.mission.events.shown.size())}, {"shots", std::to_string(mission.shots().size())},
+      {"event", last ? eventSentence(recording->events[*last]) : ""}, {"event.number", last ? std::to_string(*last + 1) : "0"},
+      {"vehicles", std::to_string(recording != nullptr ? recording->vehicles.size() : 0)}, {"guns", std::to_string(recording != nullptr ? recording->guns.size() : 0)}, {"observers", std::to_string(recording != nullptr ? recording->observers.size() : 0)},
+      {"selected", document.selected().id}, {"selected.kind", std::string(kindName(document.selected().kind))},
+      {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())}, {"undo.label", std::string(document.history().undoLabel())},
+      {"ruler", std::to_string(mission.ruler.points)},
+  });
+  if (mission.ruler.complete() && recording != nullptr) {
+    const RulerReading reading = readRuler(mission.ruler, recording->terrain, 2);
+    out.insert(out.end(), {{"ruler.distance", shortest(reading.level_m)}, {"ruler.azimuth", shortest(reading.azimuth_mil)}, {"ruler.clear", yes(reading.sight.clear)}});
+  }
+  if (const auto place = mission.placeNow(document.selected())) out.insert(out.end(), {{"selected.x", shortest(place->x_m)}, {"selected.z", shortest(place->z_m)}, {"selected.taken", yes(mission.taken(document.selected().id))}});
+  if (const int vehicle = mission.selectedVehicle(); vehicle >= 0) out.emplace_back("selected.speed", shortest(recording->vehicles[static_cast<std::size_t>(vehicle)].track.at(mission.clock.time_s).speed_mps));
+  if (recording == nullptr || document.selected().kind != ObjectRef::Kind::observer) return;
+  const Grade grade = gradeOf(*recording, document.selected().id, mission.clock.time_s);
+  const auto open = openMissions(*recording, document.selected().id, mission.clock.time_s);
+  out.insert(out.end(), {{"graded", std::to_string(grade.corrections)}, {"open missions", std::to_string(open.size())}, {"rounds", open.empty() ? "0" : std::to_string(open.back().rounds)},
+                         {"call.x", shortest(mission.call.grid.x_m)}, {"call.z", shortest(mission.call.grid.z_m)}, {"call.azimuth", shortest(mission.call.azimuth_mil)}, {"call.distance", shortest(mission.call.distance_m)},
+                         {"correct.right", shortest(mission.correction.right_m)}, {"correct.add", shortest(mission.correction.add_m)}});
+}
+
+}  // namespace
+
+Facts Editor::facts() const {
+  const Session& session = this->session();
+  constexpr const char* kModes[] = {"closed", "open", "save as"};
+  Facts out;
+  if (session.inMission()) addMission(session.mission(), state(), out);
+  else addExplosion(session, out);
+  out.insert(out.end(), {
+      {"mode", session.inMission() ? "mission" : "explosion"},
+      {"window.width", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.x))}, {"window.height", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.y))},
+      {"dirty", yes(session.dirty())}, {"window.title", session.title()}, {"file", session.path().string()},
+      {"question", yes(session.asking() != Intent::none)}, {"quitting", yes(session.quitting())},
+      {"files", kModes[static_cast<int>(session.files.mode)]},
+      {"error", session.notices.error}, {"note", session.notices.note}, {"hint", state().hint}, {"typing", state().typing.name},
+  });
+  return out;
+}
+
+}  // namespace npsee::editor

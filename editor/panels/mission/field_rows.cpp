@@ -1,0 +1,283 @@
+#include "editor/panels/mission/field_rows.h"
+
+#include "editor/panels/row.h"
+#include "editor/ui/controls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace npsee::editor {
+namespace {
+
+using world::Field;
+using world::FieldType;
+using world::FieldValue;
+
+bool commit(const PanelContext& ui, const FieldRow& row, const FieldValue& value, const std::string& merge_key = {}) {
+  MissionDocument& document = ui.session.mission().document;
+  if (std::string wrong = world::checkField(row.field, value); !wrong.empty()) {
+    ui.session.notices.error = std::move(wrong);
+    return false;
+  }
+  if (row.field.type == FieldType::id) return ui.session.took(document.renameObject(row.path.ref, std::get<std::string>(value)));
+  return ui.session.took(document.edit(row.label, merge_key, [&](Scenario& scenario) {
+    if (const TablePart part = resolve(scenario, row.path)) row.field.write(part.object, value);
+  }));
+}
+
+double shown(const Field& field, double value) { return field.si ? toUnit(field.unit, value) : value; }
+double stored(const Field& field, double value) { return field.si ? toSi(field.unit, value) : value; }
+
+/// A range to drag over that fits the value: fields of missions know only their hard limits, which are wide.
+NumberSpec specOf(const Field& field, double value, double initial, bool changed) {
+  const double size = std::max({4.0 * std::abs(value), 10.0 * std::abs(initial), field.hard.max <= 1.0 ? field.hard.max : 10.0});
+  NumberSpec spec{value, {0.0, size}, field.hard, Scale::linear, field.type == FieldType::integer, changed};
+  if (!(spec.hard.max > spec.hard.min)) spec.hard = {-1e9, 1e9};
+  spec.slider.max = std::min(spec.slider.max, std::max(spec.hard.max, 1.0));
+  return spec;
+}
+
+void typedRow(const PanelContext& ui, const FieldRow& row) {
+  const auto text = typingField(ui, row.control, row.field.hard.max > 1000.0 && row.field.key == "description");
+  if (!text) return;
+  const auto value = world::parseField(row.field, *text);
+  if (!value) refuseTyping(ui, value.error().text());
+  else if (commit(ui, row, *value)) ui.state.typing = {};
+  else refuseTyping(ui, ui.session.notices.error);
+}
+
+void unitText(const Box& box, const PanelContext& ui, Unit unit, float width) {
+  ImGui::PushFont(ui.fonts.small);
+  rowText({box.right() - width + ui.px(4), box.at.y}, width, box.height, ui.theme.dim, shortUnit(unit));
+  ImGui::PopFont();
+}
+
+void numberRow(const PanelContext& ui, const FieldRow& row) {
+  const bool whole = row.field.type == FieldType::integer;
+  const double now = whole ? static_cast<double>(std::get<std::int64_t>(row.value)) : shown(row.field, std::get<double>(row.value));
+  const double initial = whole ? static_cast<double>(std::get<std::int64_t>(row.initial)) : shown(row.field, std::get<double>(row.initial));
+  const float unit = ui.px(34);
+  const Box box{row.control.at, row.control.width - unit, row.control.height};
+  if (const auto changed = numberField(ui, row.name, specOf(row.field, now, initial, row.changed()), box)) {
+    const FieldValue value = whole ? FieldValue(static_cast<std::int64_t>(std::llround(*changed))) : FieldValue(stored(row.field, *changed));
+    commit(ui, row, value, row.name);
+  }
+  if (typingIn(ui, row.name)) ui.state.typing.text = world::fieldText(row.field, row.value, true);
+  unitText(row.control, ui, row.field.unit, unit);
+}
+
+/// A place (x, z) or a vector (x, y, z) as numbers beside each other.
+template <std::size_t count>
+void partsRow(const PanelContext& ui, const FieldRow& row, std::array<double, count> parts, const std::array<double, count>& initials, const char* letters) {
+  const float gap = ui.px(4), width = (row.control.width - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string letter(1, letters[i]), name = row.name + '.' + letter;
+    const Box box{{row.control.at.x + static_cast<float>(i) * (width + gap), row.control.at.y}, width, row.control.height};
+    const auto put = [&](double si) {
+      parts[i] = si;
+      if constexpr (count == 2) return FieldValue(Place{parts[0], parts[1]});
+      else return FieldValue(Vec3{parts[0], parts[1], parts[2]});
+    };
+    if (typingIn(ui, name)) {
+      const auto typed = typedNumber(ui, name, box, row.field.unit);
+      if (typed && commit(ui, row, put(*typed))) ui.state.typing = {};
+      else if (typed) refuseTyping(ui, ui.session.notices.error);
+      continue;
+    }
+    NumberSpec spec = specOf(row.field, shown(row.field, parts[i]), 0.0, parts[i] != initials[i]);
+    // A place is dragged by metres, wherever it is.
+    if (count == 2) spec.slider = {0.0, 600.0};
+    if (const auto changed = numberField(ui, name, spec, box, letter)) commit(ui, row, put(stored(row.field, *changed)), name);
+  }
+}
+
+void booleanRow(const PanelContext& ui, const FieldRow& row) {
+  const bool on = std::get<bool>(row.value);
+  const float width = ui.px(34), height = ui.px(18);
+  const ImVec2 at{row.control.at.x, std::floor(row.control.at.y + 0.5f * (row.control.height - height))};
+  ImGui::SetCursorScreenPos(at);
+  const bool clicked = ImGui::InvisibleButton(("toggle:" + row.name).c_str(), ImVec2(width, height));
+  ui.item("toggle:" + row.name);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, !on ? ui.theme.line : row.changed() ? ui.theme.accent : ui.theme.dim, 0.5f * height);
+  list.AddCircleFilled({on ? at.x + width - 0.5f * height : at.x + 0.5f * height, at.y + 0.5f * height}, 0.5f * height - ui.px(3), on ? ui.theme.background : ui.theme.dim, 20);
+  rowText({at.x + width + ui.px(8), row.control.at.y}, ui.px(60), row.control.height, ui.theme.dim, on ? "on" : "off");
+  if (clicked) commit(ui, row, !on);
+}
+
+void choiceList(const PanelContext& ui, const FieldRow& row, const std::string& now, const std::vector<std::pair<std::string, std::string>>& choices) {
+  std::string label = now;
+  for (const auto& [key, text] : choices)
+    if (key == now) label = text;
+  ImGui::SetCursorScreenPos({row.control.at.x, row.control.at.y + ui.px(1)});
+  ImGui::SetNextItemWidth(row.control.width);
+  if (!beginChoice(ui, row.name, label, row.changed())) return ui.item("choice:" + row.name);
+  for (const auto& [key, text] : choices) {
+    if (ImGui::Selectable(text.c_str(), key == now, 0, ImVec2(0, ui.px(22)))) {
+      if (row.field.type == FieldType::integer) commit(ui, row, static_cast<std::int64_t>(std::stoll(key)));
+      else commit(ui, row, key);
+    }
+    ui.item("choice:" + row.name + '=' + key);
+  }
+  ImGui::EndCombo();
+}
+
+void choiceRow(const PanelContext& ui, const FieldRow& row) {
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const std::string_view key : row.field.choices) {
+    std::string words(key);
+    std::ranges::replace(words, '_', ' ');
+    choices.emplace_back(key, words);
+  }
+  choiceList(ui, row, std::get<std::string>(row.value), choices);
+}
+
+/// A vehicle type by its name.
+void typeRow(const PanelContext& ui, const FieldRow& row) {
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) choices.emplace_back(std::to_string(type.index), type.name.empty() ? "type " + std::to_string(type.index) : type.name);
+  choiceList(ui, row, std::to_string(std::get<std::int64_t>(row.value)), choices);
+}
+
+/// An explosion preset of the library, or by the weapon.
+void presetRow(const PanelContext& ui, const FieldRow& row) {
+  const auto& now = std::get<std::string>(row.value);
+  std::vector<std::pair<std::string, std::string>> choices{{"", "by the weapon"}};
+  for (const LibraryEntry& entry : ui.session.presets()) {
+    const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
+    choices.emplace_back(name, entry.title.empty() ? name : entry.title);
+  }
+  choiceList(ui, row, now, choices);
+}
+
+void textRow(const PanelContext& ui, const FieldRow& row) {
+  const std::string text = world::fieldText(row.field, row.value);
+  ImGui::SetCursorScreenPos(row.control.at);
+  const bool clicked = ImGui::InvisibleButton(("text:" + row.name).c_str(), ImVec2(row.control.width, row.control.height));
+  ui.item("text:" + row.name);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({row.control.at.x, row.control.at.y + ui.px(2)}, {row.control.right(), row.control.end().y - ui.px(2)}, hovered ? ui.theme.raised : ui.theme.background, ui.px(4));
+  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  const ImU32 colour = text.empty() ? ui.theme.dim : row.changed() && row.field.type != FieldType::id ? ui.theme.accent : ui.theme.text;
+  if (row.control.height > ui.px(40)) {
+    list.PushClipRect(row.control.at, row.control.end(), true);
+    list.AddText(ui.fonts.text, ui.fonts.text->FontSize, {row.control.at.x + ui.px(8), row.control.at.y + ui.px(6)}, text.empty() ? ui.theme.dim : ui.theme.text, text.empty() ? "none" : text.c_str(), nullptr, row.control.width - ui.px(16));
+    list.PopClipRect();
+  } else {
+    rowText({row.control.at.x + ui.px(8), row.control.at.y}, row.control.width - ui.px(12), row.control.height, colour, text.empty() ? "none" : text);
+  }
+  if (clicked) beginTyping(ui, row.name, text);
+}
+
+void drawWidget(const PanelContext& ui, const FieldRow& row) {
+  if (typingIn(ui, row.name)) return typedRow(ui, row);
+  switch (row.field.type) {
+    case FieldType::boolean: return booleanRow(ui, row);
+    case FieldType::integer: return row.field.key == "type" ? typeRow(ui, row) : numberRow(ui, row);
+    case FieldType::number: return numberRow(ui, row);
+    case FieldType::choice: return choiceRow(ui, row);
+    case FieldType::place: {
+      const Place now = std::get<Place>(row.value), initial = std::get<Place>(row.initial);
+      return partsRow<2>(ui, row, {now.x_m, now.z_m}, {initial.x_m, initial.z_m}, "xz");
+    }
+    case FieldType::vector: {
+      const Vec3 now = std::get<Vec3>(row.value), initial = std::get<Vec3>(row.initial);
+      return partsRow<3>(ui, row, {now.x, now.y, now.z}, {initial.x, initial.y, initial.z}, "xyz");
+    }
+    default: return row.field.key == "preset" ? presetRow(ui, row) : textRow(ui, row);
+  }
+}
+
+void takeScripted(const PanelContext& ui, const FieldRow& row) {
+  const auto typed = ui.state.typed.find(row.name);
+  if (typed == ui.state.typed.end()) return;
+  const auto value = world::parseField(row.field, typed->second);
+  if (!value) ui.state.typed_error = value.error().text();
+  else if (!commit(ui, row, *value)) ui.state.typed_error = ui.session.notices.error;
+  ui.state.typed.erase(typed);
+}
+
+void drawTooltip(const PanelContext& ui, const FieldRow& row, const ImVec2& beside) {
+  ImGui::SetNextWindowPos({beside.x - ui.px(16), beside.y}, ImGuiCond_Always, {1.0f, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(330));
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(row.label.c_str());
+  ImGui::PopFont();
+  ImGui::TextUnformatted(row.field.doc.data(), row.field.doc.data() + row.field.doc.size());
+  const auto line = [&](const std::string& text) { ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.dim), "%s", text.c_str()); };
+  if (const std::string words = world::allowed(row.field); !words.empty()) line("Allowed: " + words + (words.ends_with('.') ? "" : "."));
+  line("Now " + clipped(world::fieldText(row.field, row.value, true)) + ", by default " + clipped(world::fieldText(row.field, row.initial, true)) + '.');
+  ImGui::PushFont(ui.fonts.numbers);
+  line(row.name);
+  ImGui::PopFont();
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+TablePart resolve(Scenario& scenario, const FieldPath& path) {
+  TablePart at = partOf(scenario, path.ref);
+  for (const auto& [key, index] : path.steps) {
+    const Field* field = at ? at.table->find(key) : nullptr;
+    if (field == nullptr || field->child == nullptr) return {};
+    if (index < 0) {
+      at = {field->child, field->part(at.object)};
+    } else {
+      if (static_cast<std::size_t>(index) >= field->count(at.object)) return {};
+      at = {field->child, field->item(at.object, static_cast<std::size_t>(index))};
+    }
+  }
+  return at;
+}
+
+std::string fieldLabel(std::string_view key) {
+  std::string out;
+  for (std::size_t start = 0; start < key.size();) {
+    const std::size_t end = std::min(key.find('_', start), key.size());
+    std::string word(key.substr(start, end - start));
+    if (word == "pe" || word == "cep" || word == "fdc") word = capitals(word);
+    else if (word == "expr") word = "function";
+    else if (word == "pos") word = "position";
+    out += (out.empty() ? "" : " ") + word;
+    start = end + 1;
+  }
+  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  return out;
+}
+
+bool askedFor(const PanelContext& ui, const std::string& name) {
+  const std::string& wanted = ui.items.wanted();
+  if (ui.state.typed.contains(name)) return true;
+  const std::size_t colon = wanted.find(':');
+  std::string_view plain = wanted;
+  if (colon != std::string::npos) plain.remove_prefix(colon + 1);
+  return plain == name || (plain.starts_with(name) && plain.size() > name.size() && (plain[name.size()] == '.' || plain[name.size()] == '='));
+}
+
+void drawFieldRow(const PanelContext& ui, FieldRow row) {
+  const bool tall = row.field.key == "description";
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(tall ? 92 : 26), mark = ui.px(20);
+  const float label_width = std::floor(std::clamp(0.42f * width, ui.px(96), ui.px(152)));
+  row.control = {{at.x + label_width, at.y}, width - label_width - mark, height};
+  takeScripted(ui, row);
+  ImGui::InvisibleButton(("row:" + row.name).c_str(), ImVec2(label_width, ui.px(26)));
+  ui.item("row:" + row.name);
+  rowText(at, label_width - ui.px(8), ui.px(26), ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, row.label);
+  if (ui.resting(row.name, std::string(row.field.doc))) drawTooltip(ui, row, at);
+  drawWidget(ui, row);
+  if (row.changed() && !row.field.required) {
+    ImGui::SetCursorScreenPos({at.x + width - mark + ui.px(2), at.y + ui.px(4)});
+    if (iconButton(ui, Icon::reset, "reset:" + row.name, "Back to " + clipped(world::fieldText(row.field, row.initial, true)), true, 18)) commit(ui, row, row.initial);
+  }
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+}  // namespace npsee::editor
