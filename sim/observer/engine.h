@@ -94,6 +94,7 @@ struct FireMission {
   Vec3 bursts_m;                   ///< sum of the places of the rounds of this volley that are down
   int bursts = 0;                  ///< their number
   std::vector<int> refused_guns;   ///< told once each
+  std::vector<int> tried_guns;     ///< that have told which trajectory would not do
   double friendly_m = 1e9;
   std::vector<Task> tasks;
   std::optional<std::pair<double, double>> suggested;  ///< what the rules would correct while a person does it

@@ -117,7 +117,10 @@ bool Mission::State::solveFor(FireMission& mission, Battery& battery, int piece)
   request.illumination = mission.method == FireMethod::illuminate;
   request.burst_height_m = request.illumination ? kLightHeight_m : 0.0;
   const FireSolution solution = battery.fdc ? battery.fdc->solve(request) : solveLine(battery, request);
-  if (!told)
+  // Each gun tells once in a mission what it tried in vain; every solution repeats it under `rejected`.
+  const bool tried = std::find(mission.tried_guns.begin(), mission.tried_guns.end(), p.index) != mission.tried_guns.end();
+  if (!solution.rejected.empty() && !tried) mission.tried_guns.push_back(p.index);
+  if (!told && !tried)
     for (const FireSolution::Rejected& rejected : solution.rejected) logRefusal(mission, battery, piece, rejected.high, rejected.refusal, rejected.elevation_rad, rejected.reason);
   if (solution.refusal != Refusal::none) {
     if (!told) {

@@ -14,6 +14,10 @@ constexpr double kDuelReload_s = 6.0;
 constexpr int kDuelRounds = 5;
 constexpr double kDuelError_rad = 1.0 / kMilsPerRadian;
 
+/// The cloud of a burst stands some metres high, and is seen farther than a vehicle by this factor.
+Vec3 cloudOf(const ShellRecord& shell) { return shell.burst_m + Vec3{0.0, 5.0, 0.0}; }
+constexpr double kCloudSight = 1.25;
+
 double spaceDistance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
 }  // namespace
@@ -129,9 +133,7 @@ void Mission::State::noticed(int vehicle, const ShellRecord& shell) {
 void Mission::State::spot(FireMission& mission, const ShellRecord& shell) {
   Post& post = posts[static_cast<std::size_t>(mission.post)];
   const Sensing& sensing = post.setup->sensing;
-  // The cloud of a burst stands some metres high.
-  const Vec3 cloud = shell.burst_m + Vec3{0.0, 5.0, 0.0};
-  Spot seen{.mission = mission.number, .round = mission.adjusting, .observed = sees(post, cloud, 1.25 * post.setup->max_range_m)};
+  Spot seen{.mission = mission.number, .round = mission.adjusting, .observed = sees(post, cloudOf(shell), kCloudSight * post.setup->max_range_m)};
   Vec3 target = mission.target_m;
   if (mission.target >= 0 && post.knows[static_cast<std::size_t>(mission.target)].seen) {
     const Pose pose = rec.vehicles[static_cast<std::size_t>(mission.target)].track.at(shell.burst_s);
@@ -158,14 +160,16 @@ void Mission::State::spot(FireMission& mission, const ShellRecord& shell) {
 
 /// A round of the mission is down: when it was the last one, the observer takes the next step.
 void Mission::State::landed(FireMission& mission, const ShellRecord& shell) {
-  mission.bursts_m = mission.bursts_m + shell.burst_m;
-  ++mission.bursts;
+  // Of a volley he senses the middle of what he sees.
+  if (sees(posts[static_cast<std::size_t>(mission.post)], cloudOf(shell), kCloudSight * posts[static_cast<std::size_t>(mission.post)].setup->max_range_m)) {
+    mission.bursts_m = mission.bursts_m + shell.burst_m;
+    ++mission.bursts;
+  }
   if (mission.in_air > 0 || !mission.tasks.empty()) return;
   Post& post = posts[static_cast<std::size_t>(mission.post)];
   if (mission.target >= 0 && post.knows[static_cast<std::size_t>(mission.target)].seen) tell(mission.post, mission.target, levelDistance(post.eye_m, vehicleAt(mission.target)));
-  // Of a volley he senses the middle.
   ShellRecord middle = shell;
-  middle.burst_m = (1.0 / mission.bursts) * mission.bursts_m;
+  if (mission.bursts > 0) middle.burst_m = (1.0 / mission.bursts) * mission.bursts_m;
   mission.bursts_m = {};
   mission.bursts = 0;
   if (!mission.effect) {
