@@ -130,7 +130,8 @@ void addMission(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("mission", "Run a fire mission without a display: the event log as JSON lines");
   command->add_option("FILE", options->file, "Mission file (*.mission.json)")->required();
   command->add_option("--until", options->until, "Stop at this time of the mission, s")->type_name("T");
-  addChangeOptions(*command, options->settings, options->seed);
+  command->add_option("--set", options->settings, "Change a value: PATH=VALUE, e.g. world.weather.visibility=800 or vehicles.t72-1.pos=25400,25000; repeatable")->allow_extra_args(false)->type_name("PATH=VALUE");
+  command->add_option("--seed", options->seed, "Seed of the random draws, instead of the mission's own")->type_name("N");
   command->add_flag("--expect", options->expect, "Check the mission's `expect` clauses; exit 1 and name those that are not met");
   command->add_option("--record", options->record, "Write a recording, for `npsee replay`")->type_name("FILE");
   addMissionPictureOptions(*command, options->pictures);
