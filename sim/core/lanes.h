@@ -113,14 +113,22 @@ NPSEE_KERNEL_INLINE void storeCounts(std::uint8_t* to, Ints counts) {
   std::memcpy(to, &bytes, 4);
 }
 
-/// Rows become columns.
-NPSEE_KERNEL_INLINE void transpose(Floats& a, Floats& b, Floats& c, Floats& d) {
-  const Floats low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), high_ab = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const Floats low_cd = __builtin_shufflevector(c, d, 0, 4, 1, 5), high_cd = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  a = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
-  b = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
-  c = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
-  d = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+/// Four floats of each of four rows.
+struct Columns {
+  Floats a, b, c, d;
+};
+NPSEE_KERNEL_INLINE Columns transposed(const Floats (&rows)[kLanes]) {
+  const Floats low_ab = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5), high_ab = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
+  const Floats low_cd = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5), high_cd = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
+  return {__builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5), __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7), __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7)};
 }
+
+/// First and second numbers of four rows of two.
+NPSEE_KERNEL_INLINE Doubles firsts(const Twin (&rows)[kLanes]) { return joined(__builtin_shufflevector(rows[0], rows[1], 0, 2), __builtin_shufflevector(rows[2], rows[3], 0, 2)); }
+NPSEE_KERNEL_INLINE Doubles seconds(const Twin (&rows)[kLanes]) { return joined(__builtin_shufflevector(rows[0], rows[1], 1, 3), __builtin_shufflevector(rows[2], rows[3], 1, 3)); }
+
+/// The bits of a double that a float keeps: `and` rounds towards zero (for magnitudes from 1e-38 on).
+constexpr std::int64_t kFloatBits = ~((std::int64_t{1} << 29) - 1);
 
 }  // namespace npsee::lanes

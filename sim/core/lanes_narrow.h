@@ -71,4 +71,6 @@ NPSEE_KERNEL_INLINE void transpose(Doubles& a, Doubles& b, Doubles& c, Doubles& 
   d = td;
 }
 
+NPSEE_KERNEL_INLINE Doubles joined(Twin low, Twin high) { return {low, high}; }
+
 }  // namespace npsee::lanes

@@ -5,6 +5,7 @@
 namespace npsee::lanes {
 
 typedef double Doubles __attribute__((vector_size(32)));
+typedef double Twin __attribute__((vector_size(16)));
 typedef std::int64_t Masks __attribute__((vector_size(32)));  ///< all ones = true, 0 = false
 
 NPSEE_KERNEL_INLINE void fill(Doubles& to, double value) { to = Doubles{value, value, value, value}; }
@@ -37,5 +38,7 @@ NPSEE_KERNEL_INLINE void transpose(Doubles& a, Doubles& b, Doubles& c, Doubles& 
   c = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
   d = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
 }
+
+NPSEE_KERNEL_INLINE Doubles joined(Twin low, Twin high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3); }
 
 }  // namespace npsee::lanes

@@ -54,7 +54,7 @@ LayerConstants constantsOf(const CompileJob& job) {
 /// Bytes a particle of the layer is likely to need: its arcs with their start times, and what it draws.
 std::size_t expectedBytes(const Layer& layer) {
   const double bounces = layer.collide ? std::min(static_cast<double>(layer.bounce_limit) + 1.0, 6.0) : 0.0;
-  return 60 + static_cast<std::size_t>((1.0 + bounces) * 48.0);
+  return 60 + static_cast<std::size_t>((1.0 + bounces) * 36.0);
 }
 
 /// Everything the chunks of one layer share while it is compiled.
@@ -97,7 +97,7 @@ struct Scratch {
   Launches launches;
   ArcRoom room;
   std::vector<Arc> arcs;
-  std::vector<float> starts;
+  std::vector<float> heights, starts;
 };
 
 void sizeChunk(Chunk& chunk, const LayerBuild& build) {
@@ -116,13 +116,13 @@ void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, 
     const auto at = static_cast<std::size_t>(i);
     double birth = 0.0;
     const Launch drawn = launchOf(build, first_number + at, birth);
-    // The launch place is what the first arc stores, so that frames at birth and flights from there agree to the last bit.
+    // Launch place and velocity are what the first arc stores, so that frames at birth and flights from there agree to the last bit.
     launches.x[at] = static_cast<float>(drawn.place.x);
     launches.y[at] = static_cast<float>(drawn.place.y);
     launches.z[at] = static_cast<float>(drawn.place.z);
-    launches.vx[at] = drawn.velocity.x;
+    launches.vx[at] = floatTowardsZero(drawn.velocity.x);
     launches.vy[at] = drawn.velocity.y;
-    launches.vz[at] = drawn.velocity.z;
+    launches.vz[at] = floatTowardsZero(drawn.velocity.z);
     launches.lifetime_s[at] = chunk.lifetime_s[at] = drawn.lifetime_s;
     if (build.own_births) chunk.birth_s[at] = birth;
     chunk.size_m[at] = static_cast<float>(drawn.size_m);
@@ -158,7 +158,8 @@ void findArcsOfEight(const LayerBuild& build, const Launches& from, int first, A
     const int i = first + lane;
     room.last[lane] = 0;
     room.rests[lane] = false;
-    room.arcs[lane][0] = {0.0, from.vx[i], from.vy[i], from.vz[i], static_cast<float>(from.x[i]), static_cast<float>(from.y[i]), static_cast<float>(from.z[i])};
+    room.arcs[lane][0] = {from.y[i], from.vy[i], static_cast<float>(from.x[i]), static_cast<float>(from.z[i]), static_cast<float>(from.vx[i]), static_cast<float>(from.vz[i])};
+    room.heights[lane][0] = 0.0f;
     const Motion<double> motion{from.x[i] + c.origin_x, from.y[i] + c.origin_y, from.z[i] + c.origin_z, from.vx[i], from.vy[i], from.vz[i]};
     findArcsOnHeights(c, build.job.ground, motion, from.lifetime_s[i], room, lane);
   }
@@ -170,14 +171,22 @@ float roundedDown(double x) {
   return rounded > x ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) - 1) : rounded;
 }
 
-/// Keeps the arcs of the four particles whose lanes begin at `first_lane`.
-void keepArcs(const ArcRoom& room, int first_lane, int four, Chunk& chunk, Scratch& scratch) {
+/// Appends the start times by which the arcs of four particles are found.
+void keepStarts(const ArcRoom& room, int first_lane, std::vector<float>& starts) {
   const int* last = room.last + first_lane;
-  int rows = 0;
-  for (int lane = 0; lane < lanes::kLanes; ++lane) rows = std::max(rows, last[lane]);
-  for (int row = 1; row <= rows; ++row)
-    for (int lane = 0; lane < lanes::kLanes; ++lane)
-      scratch.starts.push_back(row <= last[lane] ? roundedDown(room.arcs[first_lane + lane][row].start_s) : std::numeric_limits<float>::infinity());
+  const int rows = *std::max_element(last, last + lanes::kLanes);
+  const std::size_t before = starts.size();
+  starts.resize(before + static_cast<std::size_t>(lanes::kLanes * rows), std::numeric_limits<float>::infinity());
+  for (int lane = 0; lane < lanes::kLanes; ++lane) {
+    float* to = starts.data() + before + lane;
+    for (int number = 1; number <= last[lane]; ++number, to += lanes::kLanes) *to = roundedDown(room.arcs[first_lane + lane][number].start_s);
+  }
+}
+
+/// Keeps the arcs of the four particles whose lanes begin at `first_lane`.
+void keepArcs(const ArcRoom& room, int first_lane, int four, bool own_heights, Chunk& chunk, Scratch& scratch) {
+  const int* last = room.last + first_lane;
+  keepStarts(room, first_lane, scratch.starts);
   chunk.first_row[static_cast<std::size_t>(four) + 1] = static_cast<std::uint32_t>(scratch.starts.size() / 4);
   for (int lane = 0; lane < lanes::kLanes; ++lane) {
     const auto particle = static_cast<std::size_t>(4 * four + lane);
@@ -186,12 +195,15 @@ void keepArcs(const ArcRoom& room, int first_lane, int four, Chunk& chunk, Scrat
     chunk.last_arc[particle] = static_cast<std::uint8_t>(last[lane]);
     chunk.rest_arc[particle] = room.rests[first_lane + lane] ? static_cast<std::uint8_t>(last[lane]) : kNoRest;
     scratch.arcs.insert(scratch.arcs.end(), arcs, arcs + last[lane] + 1);
+    if (own_heights) scratch.heights.insert(scratch.heights.end(), room.heights[first_lane + lane], room.heights[first_lane + lane] + last[lane] + 1);
   }
 }
 
 void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk) {
   static thread_local Scratch scratch;
+  const bool own_heights = !build.job.ground.flat();
   scratch.arcs.clear();
+  scratch.heights.clear();
   scratch.starts.clear();
   sizeChunk(chunk, build);
   drawChunk(build, first_number, chunk, scratch.launches);
@@ -199,11 +211,11 @@ void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chun
   const int fours = static_cast<int>(chunk.lifetime_s.size() / 4);
   for (int four = 0; four < fours; four += 2) {
     findArcsOfEight(build, scratch.launches, 4 * four, scratch.room);
-    keepArcs(scratch.room, 0, four, chunk, scratch);
-    if (four + 1 < fours) keepArcs(scratch.room, lanes::kLanes, four + 1, chunk, scratch);
+    keepArcs(scratch.room, 0, four, own_heights, chunk, scratch);
+    if (four + 1 < fours) keepArcs(scratch.room, lanes::kLanes, four + 1, own_heights, chunk, scratch);
   }
-  scratch.arcs.push_back({});  // gathers read a little past the last arc
   chunk.arcs.assign(scratch.arcs.begin(), scratch.arcs.end());
+  chunk.heights.assign(scratch.heights.begin(), scratch.heights.end());
   chunk.starts.assign(scratch.starts.begin(), scratch.starts.end());
 }
 
@@ -217,8 +229,10 @@ Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle
   while (number > 0 && first[number].start_s > age) --number;
   const Arc& arc = first[number];
   const bool origin = number == 0;
-  const Motion<double> m{arc.x + (origin ? c.origin_x : 0.0), arc.y + (origin ? c.origin_y : c.ground_y), arc.z + (origin ? c.origin_z : 0.0), arc.vx, arc.vy, arc.vz};
-  const double tau = number == chunk.rest_arc[p] ? 0.0 : age - arc.start_s;
+  const double later_y = chunk.heights.empty() ? c.ground_y : static_cast<double>(chunk.heights[chunk.first_arc[p] + static_cast<std::size_t>(number)]);
+  const Motion<double> m{static_cast<double>(arc.x) + (origin ? c.origin_x : 0.0), origin ? arc.start_s + c.origin_y : later_y, static_cast<double>(arc.z) + (origin ? c.origin_z : 0.0),
+                         static_cast<double>(arc.vx), arc.vy, static_cast<double>(arc.vz)};
+  const double tau = number == chunk.rest_arc[p] ? 0.0 : age - (origin ? 0.0 : arc.start_s);
   switch (c.flight.law) {
     case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(c.flight, m, tau);
     case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(c.flight, m, tau);

@@ -132,8 +132,7 @@ Vec3 directionFor(const Emission& e, const Vec3& offset, double angle_part, doub
   const double across = dot(offset, e.east), along = dot(offset, e.south);
   const double radius = std::sqrt(across * across + along * along);
   const Turn tilt = lean(e, angle_part, radius);
-  Turn side = turn(kTwoPi * azimuth_part);
-  if (e.layer.outward && radius > 1e-9) side = {along / radius, across / radius};
+  const Turn side = e.layer.outward && radius > 1e-9 ? Turn{along / radius, across / radius} : turn(kTwoPi * azimuth_part);
   return tilt.cosine * e.axis + tilt.sine * (side.cosine * e.east + side.sine * e.south);
 }
 

@@ -38,7 +38,6 @@ NPSEE_KERNEL_INLINE void lookUp(const LayerConstants& c, const Chunk& chunk, dou
       const Arc* arc = arcs + static_cast<std::uint32_t>(place[lane]);
       out.arc[4 * i + lane] = arc;
       __builtin_prefetch(arc);
-      __builtin_prefetch(reinterpret_cast<const char*>(arc) + sizeof(Arc) - 1);
     }
   }
 }
@@ -60,32 +59,49 @@ __attribute__((noinline, cold, unused)) void stepBack(Lookup& look, int at) {
     }
 }
 
-NPSEE_KERNEL_INLINE void loadArcs(const Lookup& look, int at, Doubles& start, Doubles& vx, Doubles& vy, Doubles& vz) {
-  start = load(&look.arc[at]->start_s);
-  vx = load(&look.arc[at + 1]->start_s);
-  vy = load(&look.arc[at + 2]->start_s);
-  vz = load(&look.arc[at + 3]->start_s);
-  transpose(start, vx, vy, vz);
+/// First and second half of four arcs: start and vy, x, z, vx, vz.
+struct Halves {
+  Twin front[kLanes];
+  Floats back[kLanes];
+};
+
+NPSEE_KERNEL_INLINE Halves loadArcs(const Lookup& look, int at) {
+  Halves out;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const auto* arc = reinterpret_cast<const char*>(look.arc[at + lane]);
+    std::memcpy(&out.front[lane], arc, sizeof(Twin));
+    std::memcpy(&out.back[lane], arc + sizeof(Twin), sizeof(Floats));
+  }
+  return out;
+}
+
+NPSEE_KERNEL_INLINE Doubles heightsOf(const Chunk& chunk, const Lookup& look, int at) {
+  Floats out;
+  for (int lane = 0; lane < kLanes; ++lane) out[lane] = chunk.heights[static_cast<std::size_t>(look.arc[at + lane] - chunk.arcs.data())];
+  return widen(out);
 }
 
 NPSEE_KERNEL_INLINE Gathered gather(const LayerConstants& c, const Chunk& chunk, int four, Lookup& look, int at) {
   const Doubles age = load(look.age + at), zero = all(0.0);
-  Doubles start, vx, vy, vz;
-  loadArcs(look, at, start, vx, vy, vz);
+  Halves arcs = loadArcs(look, at);
+  Ints number = loadInts(look.number + at);
+  Masks first = wideMask(number == 0);
+  Doubles start = select(first, zero, firsts(arcs.front));
   if (any(start > age)) [[unlikely]] {
     stepBack(look, at);
-    loadArcs(look, at, start, vx, vy, vz);
+    arcs = loadArcs(look, at);
+    number = loadInts(look.number + at);
+    first = wideMask(number == 0);
+    start = select(first, zero, firsts(arcs.front));
   }
-  // The fourth float read is the next arc's or the spare one's, and not used.
-  Floats x = load(&look.arc[at]->x), y = load(&look.arc[at + 1]->x), z = load(&look.arc[at + 2]->x), unused = load(&look.arc[at + 3]->x);
-  transpose(x, y, z, unused);
+  const auto [x, z, vx, vz] = transposed(arcs.back);
+  const Doubles later_y = chunk.heights.empty() ? all(c.ground_y) : heightsOf(chunk, look, at);
 
   Gathered out;
-  out.number = loadInts(look.number + at);
-  out.still = out.number == loadCounts(chunk.rest_arc.data() + 4 * four);
-  const Masks first = wideMask(out.number == 0);
-  out.motion = {widen(x) + select(first, all(c.origin_x), zero), widen(y) + select(first, all(c.origin_y), all(c.ground_y)),
-                widen(z) + select(first, all(c.origin_z), zero), vx, vy, vz};
+  out.number = number;
+  out.still = number == loadCounts(chunk.rest_arc.data() + 4 * four);
+  out.motion = {widen(x) + select(first, all(c.origin_x), zero), select(first, firsts(arcs.front) + c.origin_y, later_y), widen(z) + select(first, all(c.origin_z), zero),
+                widen(vx), seconds(arcs.front), widen(vz)};
   out.start = start;
   out.tau = select(wideMask(out.still), zero, age - start);
   return out;

@@ -1,21 +1,22 @@
 // Bounces over flat ground, eight particles at a time: finding a contact is a long chain of dependent operations, so two fours run side by side. Part of a kernel (kernel.inl).
 
-/// Appends the arc that begins with `motion` (heights relative to `ground_y` after the first) in each active lane.
+/// Appends the arc that begins with `motion` in each active lane; `start` is the height for the first one.
 NPSEE_KERNEL_INLINE void appendArcs(ArcRoom& room, const EightMasks& active, const Eight& start, const Motion<Eight>& m) {
   for (int lane = 0; lane < kEight; ++lane) {
     if (!active[lane]) continue;
     Arc& arc = room.arcs[lane][++room.last[lane]];
     arc.start_s = start[lane];
-    arc.vx = m.vx[lane];
     arc.vy = m.vy[lane];
-    arc.vz = m.vz[lane];
     arc.x = static_cast<float>(m.x[lane]);
-    arc.y = static_cast<float>(m.y[lane]);
     arc.z = static_cast<float>(m.z[lane]);
+    arc.vx = static_cast<float>(m.vx[lane]);
+    arc.vz = static_cast<float>(m.vz[lane]);
   }
 }
 
+// What an arc stores of a place, and of a velocity along the ground.
 NPSEE_KERNEL_INLINE Eight asFloats(const Eight& x) { return {widen(narrow(x.low)), widen(narrow(x.high))}; }
+NPSEE_KERNEL_INLINE Eight towardsZero(const Eight& x) { return fromBits(bitsOf(x) & kFloatBits); }
 
 template <FlightLaw kLaw>
 NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& from, int first, ArcRoom& room) {
@@ -28,7 +29,7 @@ NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& fro
   const Eight zero = filled<Eight>(0.0);
   EightMasks active = zero == zero;
   Eight start = zero;
-  appendArcs(room, active, start, m);
+  appendArcs(room, active, m.y, m);
   if (!c.collide) return;
 
   // From here on positions are absolute horizontally and relative to the ground vertically.
@@ -44,7 +45,7 @@ NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& fro
     const Eight up = -c.restitution * lesser(hit.vy, zero);
     const EightMasks stays = (up < c.rest_speed_mps) | (filled<Eight>(bounce) >= static_cast<double>(c.bounce_limit)) | (up == 0.0);
     const double kept = 1.0 - c.friction;
-    m = {asFloats(hit.x), zero, asFloats(hit.z), select(stays, zero, kept * hit.vx), select(stays, zero, up), select(stays, zero, kept * hit.vz)};
+    m = {asFloats(hit.x), zero, asFloats(hit.z), towardsZero(select(stays, zero, kept * hit.vx)), select(stays, zero, up), towardsZero(select(stays, zero, kept * hit.vz))};
     appendArcs(room, active, start, m);
     for (int lane = 0; lane < kEight; ++lane) room.rests[lane] = room.rests[lane] || (active[lane] && stays[lane]);
     active = active & ~stays;

@@ -51,7 +51,9 @@ float notUnder(double height) {
 }
 
 void append(ArcRoom& room, int lane, double start, const Motion<double>& m) {
-  room.arcs[lane][++room.last[lane]] = {start, m.vx, m.vy, m.vz, static_cast<float>(m.x), static_cast<float>(m.y), static_cast<float>(m.z)};
+  const int number = ++room.last[lane];
+  room.arcs[lane][number] = {start, m.vy, static_cast<float>(m.x), static_cast<float>(m.z), static_cast<float>(m.vx), static_cast<float>(m.vz)};
+  room.heights[lane][number] = static_cast<float>(m.y);
 }
 
 /// Velocity after a contact: the part along the normal turned back and damped, the part along the ground rubbed off.
@@ -78,7 +80,7 @@ void findArcsOnHeights(const LayerConstants& c, const Ground& ground, const Moti
     const Vec3 after = bounced(c, {hit.vx, hit.vy, hit.vz}, ground.normal(hit.x, hit.z), away);
     const bool stays = away < c.rest_speed_mps || bounce >= c.bounce_limit || away == 0.0;
     const auto x = static_cast<float>(hit.x), z = static_cast<float>(hit.z);
-    m = {x, notUnder(ground.height(x, z)), z, after.x, after.y, after.z};
+    m = {x, notUnder(ground.height(x, z)), z, floatTowardsZero(after.x), after.y, floatTowardsZero(after.z)};
     if (stays) m.vx = m.vy = m.vz = 0.0;
     append(room, lane, start, m);
     room.rests[lane] = stays;

@@ -11,7 +11,7 @@ namespace npsee::explosion {
 struct LayerConstants {
   Flight flight;
   double origin_x = 0, origin_y = 0, origin_z = 0;  ///< added to first arcs, m
-  double ground_y = 0;                              ///< added to later arcs, m (0 over a height function)
+  double ground_y = 0;                              ///< y of later arcs, m (0 over a height function)
   double start_s = 0.0;                             ///< birth of all particles where a chunk has no own times
   bool collide = true;
   double restitution = 0, friction = 0, rest_speed_mps = 0;
@@ -25,7 +25,7 @@ struct LayerConstants {
 /// Launch states of a chunk, structure of arrays, padded to whole eights.
 struct Launches {
   alignas(32) double x[kChunkParticles], y[kChunkParticles], z[kChunkParticles];  ///< relative to origin, each a float's value
-  alignas(32) double vx[kChunkParticles], vy[kChunkParticles], vz[kChunkParticles];
+  alignas(32) double vx[kChunkParticles], vy[kChunkParticles], vz[kChunkParticles];  ///< vx and vz each a float's value
   alignas(32) double lifetime_s[kChunkParticles];
 };
 
@@ -33,6 +33,7 @@ struct Launches {
 struct ArcRoom {
   static constexpr int kArcs = 66;  ///< launch, 64 bounces, rest
   Arc arcs[lanes::kEight][kArcs];
+  float heights[lanes::kEight][kArcs];  ///< as Chunk::heights; not on flat ground
   int last[lanes::kEight];
   bool rests[lanes::kEight];
 };

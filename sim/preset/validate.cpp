@@ -109,9 +109,9 @@ double particleBudget(const Preset& preset) {
 }
 
 double memoryBudget(const Preset& preset) {
-  // 44 bytes an arc and 4 for finding it; 60 for what a particle draws.
+  // 32 bytes an arc and 4 for finding it; 60 for what a particle draws.
   double total = 0.0;
-  for (const Layer& layer : preset.layers) total += mostParticles(preset, layer) * (60.0 + 48.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
+  for (const Layer& layer : preset.layers) total += mostParticles(preset, layer) * (60.0 + 36.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
   return total;
 }
 

@@ -78,6 +78,7 @@ TEST(Distribution, AngleIsHalfNormalWithinTheEjectionAngle) {
   Preset preset = many();
   const double limit = preset.layers[0].ejection_angle_rad = 0.8;
   const auto angles = sampled(preset, angle);
+  // Launch velocities along the ground are floats, rounded towards zero: a piece at the limit may stand steeper by that, but not flatter.
   EXPECT_LE(*std::ranges::max_element(angles), limit * (1 + 1e-12));
   EXPECT_LT(kolmogorovSmirnov(angles, [&](double a) { return std::erf(a / (0.5 * limit) / std::sqrt(2.0)) / std::erf(std::sqrt(2.0)); }), kLimit);
 }
