@@ -65,7 +65,7 @@ Expected<void> Mission::State::setUpBatteries() {
                                                                                          "`npsee weapons FILE` shows the ids there are.").value()));
     // Lasers and bombs need no fire direction; what they do instead is in engine_lines.cpp.
     if (battery.weapon->path != PathType::linear && battery.weapon->path != PathType::gravity_bomb) {
-      auto fdc = FireDirection::make(setup, *battery.weapon, rec.terrain, sc.world.weather, sc.fdc);
+      auto fdc = FireDirection::make(world::missionBattery(sc, b), *battery.weapon, rec.terrain, sc.world.weather, sc.fdc);
       if (!fdc) return tl::unexpected(at("/batteries/" + std::to_string(b), fdc.error()));
       battery.fdc.emplace(std::move(*fdc));
     }

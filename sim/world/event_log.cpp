@@ -6,6 +6,7 @@
 
 #include <npsee/units.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace npsee {
@@ -56,6 +57,20 @@ struct Append {
   }
 };
 
+/// The schema's rows of one kind of event; they stand together.
+std::span<const EventKey> rowsOf(std::string_view kind) {
+  const auto rows = eventSchema();
+  const auto first = std::ranges::find(rows, kind, &EventKey::event);
+  const auto last = std::find_if(first, rows.end(), [&](const EventKey& row) { return row.event != kind; });
+  return {first, last};
+}
+
+bool saysNothing(const MissionEvent::Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return text->empty();
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) return texts->empty();
+  return false;
+}
+
 }  // namespace
 
 const MissionEvent::Value* MissionEvent::find(std::string_view key) const {
@@ -85,15 +100,26 @@ const Vec3* MissionEvent::place(std::string_view key) const {
 
 std::string eventJson(const MissionEvent& event) {
   const auto names = eventKindNames();
-  const auto kind = static_cast<std::size_t>(event.kind);
+  const std::string_view kind = static_cast<std::size_t>(event.kind) < names.size() ? names[static_cast<std::size_t>(event.kind)] : "error";
   std::string out = "{\"t\":" + numberText(event.t_s) + ",\"ev\":";
-  appendText(out, kind < names.size() ? names[kind] : "error");
-  for (const auto& [key, value] : event.fields) {
+  appendText(out, kind);
+  const auto write = [&](const auto& field) {
     out += ',';
-    appendText(out, key);
+    appendText(out, field.first);
     out += ':';
-    std::visit(Append{out}, value);
+    std::visit(Append{out}, field.second);
+  };
+  std::size_t known = 0;
+  for (const EventKey& row : rowsOf(kind)) {
+    const auto field = std::ranges::find(event.fields, row.key, &std::pair<std::string, MissionEvent::Value>::first);
+    if (field == event.fields.end()) continue;
+    ++known;
+    if (!row.optional() || !saysNothing(field->second)) write(*field);
   }
+  // What the schema does not know comes last; a test sees to it that no mission gets here.
+  if (known < event.fields.size())
+    for (const auto& field : event.fields)
+      if (std::ranges::find(rowsOf(kind), field.first, &EventKey::key) == rowsOf(kind).end()) write(field);
   return out += '}';
 }
 

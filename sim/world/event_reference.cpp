@@ -12,8 +12,6 @@ using nlohmann::ordered_json;
 /// What every line has.
 constexpr EventKey kCommon[] = {{"", "t", "number", "s", "time in the mission"}, {"", "ev", "text", "", "kind of the event"}};
 
-bool optional(const EventKey& key) { return key.doc.ends_with("if any") || key.doc.find("left out") != std::string_view::npos; }
-
 template <class Line, class Head>
 std::string byEvent(const Head& head, const Line& line) {
   std::string out;
@@ -67,7 +65,7 @@ std::string asSchema() {
       ordered_json schema = typeSchema(key.type);
       schema["description"] = std::string(key.doc) + (key.unit.empty() ? "" : " [" + std::string(key.unit) + "]");
       properties[std::string(key.key)] = std::move(schema);
-      if (!optional(key)) required.push_back(key.key);
+      if (!key.optional()) required.push_back(key.key);
     }
     out["oneOf"].push_back({{"type", "object"}, {"properties", std::move(properties)}, {"required", std::move(required)}});
   }
@@ -76,7 +74,7 @@ std::string asSchema() {
 
 std::string asJson() {
   ordered_json out = ordered_json::array();
-  for (const EventKey& key : eventSchema()) out.push_back({{"event", key.event}, {"key", key.key}, {"type", key.type}, {"unit", key.unit}, {"doc", key.doc}, {"optional", optional(key)}});
+  for (const EventKey& key : eventSchema()) out.push_back({{"event", key.event}, {"key", key.key}, {"type", key.type}, {"unit", key.unit}, {"doc", key.doc}, {"optional", key.optional()}});
   return out.dump(2) + '\n';
 }
 

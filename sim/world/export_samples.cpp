@@ -5,6 +5,7 @@
 #include <npsee/units.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace npsee::world {
@@ -111,10 +112,15 @@ Side sideOf(const Recording& recording, const ShellRecord& shell) {
 std::string_view sideWord(Side side) { return side == Side::friendly ? "friendly" : side == Side::hostile ? "hostile" : "neutral"; }
 
 std::string rounded(double value, int decimals) {
-  double scale = 1.0;
-  for (int i = 0; i < decimals; ++i) scale *= 10.0;
-  const double out = std::floor(value * scale + 0.5) / scale;
-  return shortest(out == 0.0 ? 0.0 : out);
+  // Never with an exponent: not every reader of these formats knows them.
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr;
+  std::string out(text, end);
+  if (out.find('.') != std::string::npos) {
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+  }
+  return out == "-0" ? "0" : out;
 }
 
 }  // namespace npsee::world

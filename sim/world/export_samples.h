@@ -29,7 +29,7 @@ Expected<std::vector<Sample>> samplesOf(const Recording& recording, const Export
 Side sideOf(const Recording& recording, const ShellRecord& shell);
 std::string_view sideWord(Side side);
 
-/// Rounded to `decimals`, in shortest form, never "-0".
+/// Rounded to `decimals`, without closing zeros, never "-0".
 std::string rounded(double value, int decimals);
 
 }  // namespace npsee::world

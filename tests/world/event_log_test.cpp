@@ -10,10 +10,11 @@
 namespace npsee {
 namespace {
 
-TEST(EventLog, WritesOneObjectPerLineWithTimeKindAndFieldsInOrder) {
-  MissionEvent fire{12.35, EventKind::fire, {{"shell", std::int64_t{3}}, {"gun", std::string("gun1")}, {"qe_mil", 349.25}, {"position", Vec3{20400.0, 2.0, 25000.5}}}};
-  EXPECT_EQ(eventJson(fire), R"({"t":12.35,"ev":"fire","shell":3,"gun":"gun1","qe_mil":349.25,"position":[20400,2,25000.5]})");
-  MissionEvent call{0.1 + 0.2, EventKind::call, {{"danger_close", true}, {"facts", std::vector<std::string>{"(a)", "(b)"}}}};
+TEST(EventLog, WritesOneObjectPerLineWithTimeKindAndFieldsInTheSchemasOrder) {
+  MissionEvent fire{12.35, EventKind::fire, {{"qe_mil", 349.25}, {"position", Vec3{20400.0, 2.0, 25000.5}}, {"unheard_of", true}, {"shell", std::int64_t{3}}, {"gun", std::string("gun1")}}};
+  EXPECT_EQ(eventJson(fire), R"({"t":12.35,"ev":"fire","shell":3,"gun":"gun1","position":[20400,2,25000.5],"qe_mil":349.25,"unheard_of":true})");
+  // Whatever order they were collected in, they are written in that of the schema; what says nothing is left out where it may be.
+  MissionEvent call{0.1 + 0.2, EventKind::call, {{"facts", std::vector<std::string>{"(a)", "(b)"}}, {"target", std::string()}, {"danger_close", true}}};
   EXPECT_EQ(eventJson(call), R"x({"t":0.3,"ev":"call","danger_close":true,"facts":["(a)","(b)"]})x");
   Recording recording;
   recording.events = {fire, call};

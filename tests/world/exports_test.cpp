@@ -69,6 +69,7 @@ TEST(Acmi, NativeCoordinatesAreThoseOfTheWorldAndObjectsEndOnce) {
       ++checked;
     }
   }
+  EXPECT_EQ(text.find("e-"), std::string::npos) << "no exponents";
   EXPECT_GT(checked, 20);
   for (const auto& [id, count] : ended) EXPECT_EQ(count, 1) << id;
   EXPECT_EQ(ended.size(), 2 * r.shells.size()) << "shells and their bursts";

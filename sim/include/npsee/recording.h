@@ -38,12 +38,14 @@ struct MissionEvent {
   const Vec3* place(std::string_view key = "position") const;
   friend bool operator==(const MissionEvent&, const MissionEvent&) = default;
 };
-/// The event as one line of JSON without the line end. Numbers in shortest form, positions as [x,y,z].
+/// The event as one line of JSON without the line end: `t`, `ev`, then its values in the order of the schema. Numbers are rounded to
+/// four decimals, in shortest form; positions are [x,y,z]; optional keys without a word to say are left out.
 std::string eventJson(const MissionEvent& event);
 
 /// One key that an event can have; the table of all is the schema of the log.
 struct EventKey {
   std::string_view event, key, type, unit, doc;
+  bool optional() const;  ///< left out of the line where there is nothing to say
 };
 std::span<const EventKey> eventSchema();
 
