@@ -31,7 +31,10 @@ std::vector<Fault> faultsOf(std::string_view text) {
 
 std::vector<ShippedFile> shippedFiles(bool with_rules) {
   std::vector<ShippedFile> out{{"assets/rules/templates.clp", shippedTemplates()}};
-  if (with_rules) out.push_back({"assets/rules/observer.clp", shippedRules()});
+  if (!with_rules) return out;
+  out.push_back({"assets/rules/observer.clp", shippedObserver()});
+  out.push_back({"assets/rules/adjustment.clp", shippedAdjustment()});
+  out.push_back({"assets/rules/effect.clp", shippedEffect()});
   return out;
 }
 

@@ -197,7 +197,36 @@ TEST(Observer, EndsAMissionByWhatWasOrdered) {
   EXPECT_EQ(endWith(MissionAction::destroy, Condition::whole, FireMethod::illuminate), "illuminated");
 }
 
-TEST(Observer, RepeatsEffectATenTimesAtMost) {
+/// The reason for ending a mission against one of several tanks that stand together, of which some are damaged; empty if it goes on.
+std::string areaEnd(MissionAction action, int tanks, int damaged) {
+  MindSetup setup;
+  setup.orders = {{action, 51}, {MissionAction::special, 51}};
+  Observer observer(setup);
+  for (int id = 1; id <= tanks; ++id) observer.mind().contact(Observer::tank(id, 2000.0 + 5.0 * id));
+  Contact apart = Observer::tank(99, 3000.0);
+  apart.condition = Contact::Condition::damaged;
+  observer.mind().contact(apart);
+  EXPECT_EQ(observer.one().contact, 1);
+  for (int id = tanks; id > tanks - damaged; --id) {
+    Contact hit = Observer::tank(id, 2000.0 + 5.0 * id);
+    hit.condition = Contact::Condition::damaged;
+    observer.mind().contact(hit);
+  }
+  observer.mind().mission(Observer::mission(1, 1, State::effect_over, FireMethod::fire_for_effect));
+  const auto decisions = observer.think();
+  return !decisions.empty() && decisions.front().kind == Decision::Kind::end ? decisions.front().reason : "";
+}
+
+TEST(Observer, JudgesAnAreaByTheShareOfItsVehiclesThatAreHit) {
+  EXPECT_EQ(areaEnd(MissionAction::neutralize, 10, 0), "");
+  EXPECT_EQ(areaEnd(MissionAction::neutralize, 10, 1), "no effect seen, area neutralised (1 of 10 vehicles hit)");
+  EXPECT_EQ(areaEnd(MissionAction::neutralize, 11, 1), "") << "under a tenth";
+  EXPECT_EQ(areaEnd(MissionAction::neutralize, 10, 3), "no effect seen, area destroyed (3 of 10 vehicles hit)");
+  EXPECT_EQ(areaEnd(MissionAction::neutralize, 2, 1), "") << "two vehicles are no area";
+  EXPECT_EQ(areaEnd(MissionAction::destroy, 10, 3), "") << "destroy means the target itself";
+}
+
+TEST(Observer, RepeatsEffectTenTimesAtMost) {
   Observer observer;
   observer.mind().contact(Observer::tank(1, 2000.0));
   observer.one();

@@ -37,12 +37,15 @@ TEST(RulesDocumentation, NamesEverySlotTheSimulatorAsserts) {
 
 TEST(RulesDocumentation, NamesEveryShippedRuleAndFunction) {
   const std::string text = documentation();
-  const auto forms = readRules(shippedFiles(true).back().text, "observer.clp");
-  ASSERT_TRUE(forms);
   int rules = 0;
-  for (const RuleNode& form : *forms) {
-    EXPECT_TRUE(names(text, form.items[1].text)) << form.items[1].text;
-    rules += form.head() == "defrule" ? 1 : 0;
+  for (const ShippedFile& file : shippedFiles(true)) {
+    const auto forms = readRules(file.text, file.name);
+    ASSERT_TRUE(forms);
+    EXPECT_NE(text.find(file.name), std::string::npos) << file.name;
+    for (const RuleNode& form : *forms) {
+      EXPECT_TRUE(names(text, form.items[1].text)) << form.items[1].text;
+      rules += form.head() == "defrule" ? 1 : 0;
+    }
   }
   EXPECT_GT(rules, 40);
 }

@@ -178,7 +178,7 @@ TEST(RulesFile, ThatFailsWhenItRunsIsRefusedWithItsRule) {
 // ----- good rules -----
 
 TEST(RulesFile, OfTheProgramIsWithoutFault) {
-  for (const char* name : {"templates", "observer", "forwardobserver"}) {
+  for (const char* name : {"templates", "observer", "adjustment", "effect", "forwardobserver"}) {
     const auto text = readTextFile(std::string(NPSEE_SOURCE_DIR) + "/assets/rules/" + name + ".clp");
     ASSERT_TRUE(text);
     EXPECT_EQ(faultsOf(*text), "") << name;
