@@ -85,6 +85,7 @@ TEST(MissionFiles, AProjectileBesideTheMissionFileIsFoundFromAnywhereAndByItsRec
   auto scenario = loadScenario(std::string(NPSEE_SOURCE_DIR) + "/assets/missions/ridge_low.mission.json");
   ASSERT_TRUE(scenario) << scenario.error().text();
   scenario->folder = folder.path();
+  scenario->weapons.clear();  // the shipped one: nothing else lies in the folder
   scenario->batteries[0].projectile = "shell.json";
   const auto run = runMission(*scenario, 60.0);
   ASSERT_TRUE(run) << run.error().text();
