@@ -31,7 +31,7 @@ inline constexpr double kMilsPerRadian = 6400.0 / kTwoPi;
 
 /// What one observer knows of one vehicle.
 struct Acquaintance {
-  bool known = false, seen = false, lost_told = false, look_now = false;
+  bool known = false, seen = false;
   int misses = 0;
   Evidence evidence;
   double conflict = 0.0, evidence_s = -1e9, recorded_s = -1e9;
@@ -56,8 +56,6 @@ struct Post {
 struct Piece {
   Gun gun;
   int index = 0;                   ///< in the recording
-  int mission = 0;                 ///< it fires for, 0 = none
-  bool told_out = false;
 };
 
 struct Battery {
@@ -85,8 +83,8 @@ struct FireMission {
   Vec3 aim_m;                      ///< where the next rounds shall land: the target as believed, with the corrections
   Vec3 target_m;                   ///< where he believes the target
   Vec3 correction_m;               ///< sum of the corrections, in the world
-  Vec3 ot;                         ///< unit vector from observer to target, level
-  double ot_distance_m = 0.0;
+  Vec3 ot{0.0, 0.0, -1.0};         ///< unit vector from observer to target, level; north while he stands on it
+  double ot_distance_m = 1.0;
   MissionFact::State state = MissionFact::State::accepted;
   bool effect = false, over = false, waiting = true, danger_close = false, burning = false;
   int adjusting = 0, effects = 0, fired = 0, in_air = 0, messages = 0;
@@ -176,6 +174,8 @@ struct Mission::State {
   void think();
   void decide(int post, const observer::Decision& decision);
   void call(int post, const observer::Decision& decision);
+  /// Opens a mission of which post, target, method, place and aim are set; says so in the log and to the observer's mind.
+  void open(observer::FireMission mission, const observer::Decision& why);
   void correct(int post, const observer::Decision& decision);
   /// How far off the target the aim is, without the lead, m.
   double aimError(const observer::FireMission& mission) const;
@@ -187,6 +187,7 @@ struct Mission::State {
   void prepare(observer::FireMission& mission);
   bool assign(observer::FireMission& mission);
   void follow(observer::FireMission& mission);
+  void lookAlong(observer::FireMission& mission) const;
   int solveAll(observer::FireMission& mission, observer::Battery& battery);
   bool solveFor(observer::FireMission& mission, observer::Battery& battery, int piece);
   void layGun(observer::FireMission& mission, observer::Battery& battery, int piece, const observer::FireSolution& solution);
@@ -218,6 +219,7 @@ struct Mission::State {
   const std::string& vehicleId(int vehicle) const;
   void fail(const std::string& text);
   Vec3 vehicleAt(int vehicle) const;
+  const Weapon* weaponOf(int id) const;  ///< null if the weapons file has none of that number
   observer::FireMission& missionOf(int number) { return missions[static_cast<std::size_t>(number - 1)]; }
 };
 

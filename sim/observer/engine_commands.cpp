@@ -65,31 +65,18 @@ void Mission::State::humanCall(int p, const MissionCommand& command) {
     }
   }
   FireMission mission;
-  mission.number = static_cast<int>(missions.size()) + 1;
   mission.post = p;
   mission.target = target;
   mission.method = command.method == FireMethod::automatic ? FireMethod::adjust_fire : command.method;
-  mission.effect = mission.method != FireMethod::adjust_fire;
-  mission.opened_s = now_s;
   mission.target_m = place;
   if (target >= 0) {
     // Where he says it is, is his belief of it from now on.
     const Vec3 true_place = vehicleAt(target);
     if (command.target.empty()) post.knows[static_cast<std::size_t>(target)].error_m = {place.x - true_place.x, 0.0, place.z - true_place.z};
   }
-  mission.ot_distance_m = std::max(1.0, levelDistance(post.eye_m, place));
-  mission.ot = {(place.x - post.eye_m.x) / mission.ot_distance_m, 0.0, (place.z - post.eye_m.z) / mission.ot_distance_m};
+  lookAlong(mission);
   follow(mission);
-  int friendly = -1;
-  mission.friendly_m = nearestFriendly(mission.target_m, target, &friendly);
-  mission.danger_close = mission.friendly_m <= rec.scenario.fdc.danger_close_m;
-  log(EventKind::call, now_s).fields = {{"observer", post.setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(target)}, {"method", std::string(methodName(mission.method))},
-                                        {"position", mission.aim_m}, {"range_m", mission.ot_distance_m}, {"danger_close", mission.danger_close}, {"text", command.description},
-                                        {"rule", std::string("person")}, {"facts", std::vector<std::string>{}}};
-  if (mission.danger_close)
-    log(EventKind::danger_close, now_s).fields = {{"observer", post.setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(target)}, {"friendly", vehicleId(friendly)}, {"distance_m", mission.friendly_m}};
-  missions.push_back(std::move(mission));
-  tellMission(missions.back(), MissionFact::State::accepted);
+  open(std::move(mission), {.reason = command.description, .rule = "person", .facts = {}});
 }
 
 }  // namespace npsee

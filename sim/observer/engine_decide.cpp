@@ -81,28 +81,31 @@ void Mission::State::call(int p, const Decision& decision) {
     if (!mission.over && !mission.burning && mission.post == p && mission.target == decision.contact) return;
 
   FireMission mission;
-  mission.number = static_cast<int>(missions.size()) + 1;
   mission.post = p;
   mission.target = decision.contact;
   mission.method = decision.method == FireMethod::automatic ? FireMethod::adjust_fire : decision.method;
-  mission.effect = mission.method != FireMethod::adjust_fire;
   mission.aim_m = mission.target_m = a.believed_m;
+  lookAlong(mission);
+  open(std::move(mission), decision);
+}
+
+void Mission::State::open(FireMission mission, const Decision& why) {
+  const std::string& caller = posts[static_cast<std::size_t>(mission.post)].setup->id;
+  mission.number = static_cast<int>(missions.size()) + 1;
+  mission.effect = mission.method != FireMethod::adjust_fire;
   mission.opened_s = now_s;
-  mission.ot_distance_m = levelDistance(post.eye_m, a.believed_m);
-  const double d = std::max(mission.ot_distance_m, 1.0);
-  mission.ot = {(a.believed_m.x - post.eye_m.x) / d, 0.0, (a.believed_m.z - post.eye_m.z) / d};
   int friendly = -1;
-  mission.friendly_m = nearestFriendly(a.believed_m, mission.target, &friendly);
+  mission.friendly_m = nearestFriendly(mission.target_m, mission.target, &friendly);
   mission.danger_close = mission.friendly_m <= rec.scenario.fdc.danger_close_m;
 
   MissionEvent& event = log(EventKind::call, now_s);
-  event.fields = {{"observer", post.setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"method", std::string(methodName(mission.method))},
+  event.fields = {{"observer", caller}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"method", std::string(methodName(mission.method))},
                   {"position", mission.aim_m}, {"range_m", mission.ot_distance_m}, {"danger_close", mission.danger_close}};
-  if (!decision.reason.empty()) event.fields.push_back({"text", decision.reason});
-  explain(event, decision);
+  if (!why.reason.empty()) event.fields.push_back({"text", why.reason});
+  explain(event, why);
   if (mission.danger_close)
-    log(EventKind::danger_close, now_s).fields = {{"observer", post.setup->id}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"friendly", vehicleId(friendly)}, {"distance_m", mission.friendly_m}};
-  missions.push_back(mission);
+    log(EventKind::danger_close, now_s).fields = {{"observer", caller}, {"mission", std::int64_t{mission.number}}, {"target", vehicleId(mission.target)}, {"friendly", vehicleId(friendly)}, {"distance_m", mission.friendly_m}};
+  missions.push_back(std::move(mission));
   tellMission(missions.back(), MissionFact::State::accepted);
 }
 

@@ -29,6 +29,15 @@ void Mission::State::direct() {
   }
 }
 
+/// The observer-target line, in whose frame he corrects.
+void Mission::State::lookAlong(FireMission& mission) const {
+  const Vec3& eye = posts[static_cast<std::size_t>(mission.post)].eye_m;
+  const double distance = levelDistance(eye, mission.target_m);
+  if (distance <= 1.0) return;
+  mission.ot_distance_m = distance;
+  mission.ot = {(mission.target_m.x - eye.x) / distance, 0.0, (mission.target_m.z - eye.z) / distance};
+}
+
 /// Moves the aim with the target as the observer believes it; the thesis lays again on its absolute place and forgets corrections.
 void Mission::State::follow(FireMission& mission) {
   const Post& post = posts[static_cast<std::size_t>(mission.post)];
@@ -36,11 +45,7 @@ void Mission::State::follow(FireMission& mission) {
     const Acquaintance& a = post.knows[static_cast<std::size_t>(mission.target)];
     if (a.seen) {
       mission.target_m = vehicleAt(mission.target) + a.error_m;
-      const double d = levelDistance(post.eye_m, mission.target_m);
-      if (d > 1.0) {
-        mission.ot_distance_m = d;
-        mission.ot = {(mission.target_m.x - post.eye_m.x) / d, 0.0, (mission.target_m.z - post.eye_m.z) / d};
-      }
+      lookAlong(mission);
     }
   }
   mission.aim_m = rec.scenario.fdc.absolute_relay ? mission.target_m : mission.target_m + mission.correction_m;
@@ -180,7 +185,6 @@ void Mission::State::layGun(FireMission& mission, Battery& battery, int piece, c
   const double laid = p.gun.lay(now_s, solution.shot.azimuth_rad + task.lay_error_rad, solution.shot.elevation_rad, rec.guns[static_cast<std::size_t>(p.index)].lays);
   task.fire_s = p.gun.readyAt(laid);
   task.rounds = mission.effect && mission.method != FireMethod::illuminate ? std::max(1, battery.setup->volley_rounds) : 1;
-  p.mission = mission.number;
   mission.tasks.push_back(std::move(task));
 }
 
@@ -252,8 +256,6 @@ void Mission::State::release(FireMission& mission) {
   if (mission.battery < 0) return;
   Battery& battery = batteries[static_cast<std::size_t>(mission.battery)];
   if (battery.mission == mission.number) battery.mission = 0;
-  for (Piece& piece : battery.pieces)
-    if (piece.mission == mission.number) piece.mission = 0;
 }
 
 }  // namespace npsee

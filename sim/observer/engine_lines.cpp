@@ -27,7 +27,7 @@ FireSolution Mission::State::solveLine(const Battery& battery, const FireRequest
   if (level > battery.weapon->range_m) {
     out.refusal = Refusal::out_of_range;
     out.reason = "The place is " + std::to_string(static_cast<int>(level)) + " m away, beyond the " + std::to_string(battery.weapon->range_m) + " m of weapon " + battery.weapon->name + ".";
-  } else if (!bomb && !rec.terrain.sight(request.muzzle_m, request.target_m + Vec3{0.0, 1.5, 0.0}).clear) {
+  } else if (!bomb && !rec.terrain.sees(request.muzzle_m, request.target_m + Vec3{0.0, 1.5, 0.0})) {
     out.refusal = Refusal::masked;
     out.reason = "Weapon " + battery.weapon->name + " shoots along a straight line, and ground is in the way.";
   }

@@ -45,6 +45,8 @@ const std::string& Mission::State::vehicleId(int vehicle) const {
   return vehicle < 0 ? none : rec.vehicles[static_cast<std::size_t>(vehicle)].id;
 }
 
+const Weapon* Mission::State::weaponOf(int id) const { return weapons.find(std::to_string(id)); }
+
 /// An error ends the mission: the log says why, and nothing after it is simulated.
 void Mission::State::fail(const std::string& text) {
   log(EventKind::error, now_s).fields = {{"text", text}};

@@ -18,7 +18,7 @@ bool Mission::State::sees(const Post& post, const Vec3& point, double max_range_
   Weather weather = rec.scenario.world.weather;
   if (weather.night && litAt(point)) weather.night = false;
   if (!visibleThrough(post.setup->sensing, weather, range, max_range_m) || smokeBetween(post.eye_m, point)) return false;
-  return rec.scenario.fdc.sampled_visibility ? rec.terrain.sightSampled(post.eye_m, point) : rec.terrain.sight(post.eye_m, point).clear;
+  return rec.scenario.fdc.sampled_visibility ? rec.terrain.sightSampled(post.eye_m, point) : rec.terrain.sees(post.eye_m, point);
 }
 
 bool Mission::State::litAt(const Vec3& point) const {
@@ -116,7 +116,6 @@ void Mission::State::gained(int p, int v, double range_m) {
   a.believed_m = vehicleAt(v) + a.error_m;
   a.believed_m.y = rec.terrain.surface(a.believed_m.x, a.believed_m.z);
   if (first) {
-    a.lost_told = false;
     log(EventKind::contact, now_s).fields = {{"observer", post.setup->id},
                                              {"target", vehicleId(v)},
                                              {"type", rec.vehicles[static_cast<std::size_t>(v)].type.name},

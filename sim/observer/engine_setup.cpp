@@ -59,7 +59,7 @@ Expected<void> Mission::State::setUpBatteries() {
     const BatterySetup& setup = sc.batteries[b];
     Battery& battery = batteries.emplace_back();
     battery.setup = &setup;
-    battery.weapon = weapons.find(std::to_string(setup.weapon));
+    battery.weapon = weaponOf(setup.weapon);
     if (!battery.weapon)
       return tl::unexpected(at("/batteries/" + std::to_string(b) + "/weapon", npsee::fail(ErrorKind::input, "battery " + setup.id + " has weapon " + std::to_string(setup.weapon) + ", which the weapons file does not list.",
                                                                                          "`npsee weapons FILE` shows the ids there are.").value()));
@@ -80,7 +80,7 @@ Expected<void> Mission::State::setUpBatteries() {
       const double azimuth = bearing(muzzle, centre);
       GunRecord record{gun.id, static_cast<int>(b), muzzle, {}};
       record.lays.push_back({0.0, 0.0, azimuth, 0.3});
-      battery.pieces.push_back({Gun(gun, setup, muzzle, azimuth), static_cast<int>(rec.guns.size()), 0, false});
+      battery.pieces.push_back({Gun(gun, setup, muzzle, azimuth), static_cast<int>(rec.guns.size())});
       rec.guns.push_back(std::move(record));
     }
   }

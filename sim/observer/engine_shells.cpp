@@ -24,6 +24,9 @@ double spaceDistance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
 /// Apexes and bursts of this tick, by their own times.
 void Mission::State::flyShells(double from_s, double to_s) {
+  const auto out = [from_s](const Cloud& cloud) { return cloud.until_s < from_s; };
+  std::erase_if(lights, out);
+  std::erase_if(smokes, out);
   if (flying.empty()) return;
   struct Moment {
     double t_s;
@@ -54,8 +57,8 @@ void Mission::State::flyShells(double from_s, double to_s) {
 }
 
 void Mission::State::burst(const Flying& flown) {
-  const ShellRecord shell = rec.shells[static_cast<std::size_t>(flown.shell)];
-  const Weapon* weapon = weapons.find(std::to_string(shell.weapon));
+  const ShellRecord& shell = rec.shells[static_cast<std::size_t>(flown.shell)];
+  const Weapon* weapon = weaponOf(shell.weapon);
   MissionEvent& event = log(EventKind::detonation, shell.burst_s);
   event.fields = {{"shell", std::int64_t{shell.number}}, {"gun", shell.gun >= 0 ? rec.guns[static_cast<std::size_t>(shell.gun)].id : vehicleId(shell.shooter)}, {"mission", std::int64_t{shell.mission}},
                   {"target", vehicleId(shell.target)}, {"position", shell.burst_m}, {"weapon", std::int64_t{shell.weapon}}};
@@ -206,7 +209,7 @@ int Mission::State::enemyInSight(int vehicle, double range_m) const {
     if (!enemies(rec.vehicles[v].type.side, rec.vehicles[other].type.side) || rec.vehicles[other].destroyedAt(now_s)) continue;
     const Vec3 place = vehicleAt(static_cast<int>(other)) + Vec3{0.0, 0.7 * rec.vehicles[other].type.height_m, 0.0};
     const double distance = levelDistance(eye, place);
-    if (distance >= best || !rec.terrain.sight(eye, place).clear) continue;
+    if (distance >= best || !rec.terrain.sees(eye, place)) continue;
     best = distance;
     enemy = static_cast<int>(other);
   }
@@ -218,7 +221,7 @@ void Mission::State::shootBack() {
     const VehicleRecord& vehicle = rec.vehicles[static_cast<std::size_t>(duel.vehicle)];
     if (tick < duel.next_tick || duel.rounds <= 0) continue;
     const DamageStep* harm = vehicle.damageAt(now_s);
-    const Weapon* weapon = weapons.find(std::to_string(vehicle.type.weapon));
+    const Weapon* weapon = weaponOf(vehicle.type.weapon);
     if ((harm && (!harm->firepower || harm->hull >= 1.0)) || !weapon) {
       duel.rounds = 0;
       continue;
@@ -235,7 +238,7 @@ void Mission::State::shootBack() {
 /// Direct fire is a straight line (thesis); whatever ground is in the way stops it.
 void Mission::State::shootDirect(int vehicle, const Vec3& at, int enemy) {
   const VehicleRecord& shooter = rec.vehicles[static_cast<std::size_t>(vehicle)];
-  const Weapon* weapon = weapons.find(std::to_string(shooter.type.weapon));
+  const Weapon* weapon = weaponOf(shooter.type.weapon);
   if (!weapon) return;
   ShellRecord shell;
   shell.number = static_cast<int>(rec.shells.size()) + 1;

@@ -81,7 +81,6 @@ class FireDirection {
 class Gun {
  public:
   Gun(const GunSetup& setup, const BatterySetup& battery, Vec3 muzzle_m, double first_azimuth_rad);
-  bool canTake(double now_s) const;                ///< not laying, loaded, rounds left
   bool empty() const { return rounds_ == 0; }
   int rounds() const { return rounds_; }
   /// Starts laying; returns when the tube stands.

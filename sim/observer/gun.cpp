@@ -3,17 +3,9 @@
 #include <algorithm>
 
 namespace npsee::observer {
-namespace {
-
-/// Times are sums of ticks and durations: less than this apart they are the same moment, s.
-constexpr double kSameMoment_s = 1e-6;
-
-}  // namespace
 
 Gun::Gun(const GunSetup& setup, const BatterySetup& battery, Vec3 muzzle_m, double first_azimuth_rad)
     : setup_(setup), muzzle_m_(muzzle_m), lay_time_s_(battery.lay_time_s), reload_time_s_(battery.reload_time_s), azimuth_rad_(first_azimuth_rad), rounds_(std::max(0, battery.rounds)) {}
-
-bool Gun::canTake(double now_s) const { return rounds_ > 0 && now_s >= laid_until_s_ - kSameMoment_s && now_s >= loaded_at_s_ - kSameMoment_s; }
 
 double Gun::lay(double now_s, double azimuth_rad, double elevation_rad, std::vector<LayStep>& lays) {
   // How the tube stood before anybody touched it.
