@@ -120,7 +120,10 @@ Expected<MissionPicturePlan> planMissionPictures(const MissionPictureOptions& op
   const auto unnamed = plan.sequence ? 2 : std::ranges::count_if(plan.renders, [](const render::MissionRender& r) { return r.output.empty(); });
   if (unnamed == 0 && options.output.empty()) return plan;
   if (options.output.empty()) return fail(ErrorKind::usage, "there is no name for the picture.", "Give -o OUT.png, or out=OUT.png within --render.");
-  auto names = OutputNames::make(options.output, {"mission"}, unnamed > 1);
+  const auto format = readFormat("", options.output);
+  if (!format) return tl::unexpected<Error>(format.error());
+  if (*format != FileFormat::png) return fail(ErrorKind::usage, "-o " + options.output + ": pictures of missions are written as PNG.", "End the name in .png; `ffmpeg -framerate 30 -i frame_%04d.png video.mp4` joins a sequence.");
+  auto names = OutputNames::make(options.output, {"mission"}, unnamed > 1, ".png");
   if (!names) return tl::unexpected<Error>(names.error());
   plan.names = std::move(*names);
   return plan;

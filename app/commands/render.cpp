@@ -71,8 +71,11 @@ Expected<void> RenderCall::checkOptions() const {
   if (o_.golden.empty() && needs_golden) return clash("--update-golden, --report, --junit and tolerances belong to a comparison with goldens.", "Add --golden DIR, or compare files with `npsee compare`.");
   if (o_.golden.empty() && o_.output.empty()) return clash("-o (--output) is missing: where do the pictures go?", "For example -o picture.png.");
   if (!o_.golden.empty() && (o_.resume || o_.dry_run || o_.verify)) return clash("--golden draws every picture anew.", "Leave out --resume, --dry-run and --verify.");
+  if (!o_.golden.empty() && (plan_.format != FileFormat::png || plan_.index)) return clash("goldens are PNG pictures.", "Leave out --golden, or --format and --index.");
   if (o_.verify && (o_.resume || o_.dry_run)) return clash("--verify only looks at what is there.", "Leave out --resume and --dry-run.");
   if (!o_.summary.empty() && o_.summary != "text" && o_.summary != "json") return clash("--summary " + o_.summary + ": there is no such summary.", "Write text or json.");
+  if (plan_.kind == RenderKind::video && !o_.dry_run && !o_.verify)
+    if (auto ffmpeg = render::findFfmpeg(); !ffmpeg) return tl::unexpected<Error>(ffmpeg.error());
   for (const std::string& file : {o_.report, o_.junit})
     if (!file.empty())
       if (auto place = checkPlace(file); !place) return place;
@@ -106,12 +109,12 @@ Expected<void> RenderCall::prepare() {
 
 Expected<void> RenderCall::makeItems() {
   if (!o_.output.empty()) {
-    const auto names = OutputNames::make(o_.output, o_.files, plan_.numbered());
+    const auto names = OutputNames::make(o_.output, o_.files, plan_.numbered(), endingOf(plan_.format));
     if (!names) return tl::unexpected<Error>(names.error());
     items_ = workOf(plan_, presets_, *names);
   }
   if (!o_.golden.empty()) {
-    const auto names = OutputNames::inFolder(o_.golden, o_.files, plan_.numbered());
+    const auto names = OutputNames::inFolder(o_.golden, o_.files, plan_.numbered(), endingOf(plan_.format));
     if (!names) return tl::unexpected<Error>(names.error());
     copies_ = std::move(items_);
     items_ = workOf(plan_, presets_, *names);
@@ -141,7 +144,7 @@ Expected<void> RenderCall::draw() {
   if (!renderer) return tl::unexpected<Error>(renderer.error());
   machine_ = {(*context)->description(), gl::processorClass()};
   if (!o_.golden.empty()) golden_.emplace(GoldenCheck::Settings{o_.golden, machine_, tolerance_, o_.update_golden, !o_.report.empty()}, items_);
-  RenderRun run{plan_, presets_, items_, **renderer, [this](std::size_t item, const render::Image& image) { return save(item, image); }, progress_};
+  RenderRun run{plan_, presets_, o_.files, items_, **renderer, [this](std::size_t item, const render::Image& image) { return save(item, image); }, progress_};
   return drawItems(run);
 }
 
@@ -169,14 +172,15 @@ int RenderCall::verdict() const {
 
 void addRender(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Render presets to PNG: one picture, a numbered sequence, or a contact sheet; needs no display");
+  CLI::App* command = app.add_subcommand("render", "Render presets to files: a picture, a numbered sequence, a contact or sprite sheet, a video; needs no display");
   addRenderOptions(*command, *options);
   command->footer(
       "Prints the files written, one per line.\n"
       "Examples:\n  npsee render presets/classic_1993.npsee.json -o classic.png --time 2.14\n"
       "  npsee render presets/classic_1993.npsee.json -o frames/classic_%04d.png --frames 0:3 --fps 30\n"
       "  npsee render presets/classic_1993.npsee.json -o sheet.png --sheet 4x3\n"
-      "  npsee render presets/classic_1993.npsee.json -o sprites.png --sheet 8x8 --size 128x128 --background transparent\n"
+      "  npsee render presets/classic_1993.npsee.json -o sprites.png --sheet 8x8 --size 128x128 --background transparent --index\n"
+      "  npsee render presets/cascade.npsee.json -o cascade.mp4 --size 1920x1080 --fps 60\n"
       "  npsee render presets/classic_1993.npsee.json -o template.png --template --view splines\n"
       "  npsee render a.npsee.json b.npsee.json -o folder/ --set fragments.speed_mean=40 --camera \"eye=0,10,60 target=0,8,0\"\n"
       "  npsee render presets/*.npsee.json -o frames/ --frames 0:3 --shard 2/5 --resume\n"

@@ -9,14 +9,17 @@ namespace {
 
 void addPictureOptions(CLI::App& command, RenderOptions& o) {
   const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type); };
-  option("-o,--output", o.output, "PNG file to write; for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
+  option("-o,--output", o.output, "File to write, by its ending a picture (.png) or a video (.mp4, .webm, .gif); for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
+  option("--format", o.format, "png, mp4, webm or gif, where -o is a folder", "FORMAT");
   option("--time", o.time, "Moment to draw, after the burst (0.5, 500ms) or as a share of the effect's duration; 25% if left out. Several with commas: numbered pictures", "T,...");
-  option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly", "A:B");
-  option("--fps", o.fps, "Frames per second of a sequence: 30 (default), 29.97, 30000/1001", "RATE");
+  option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly. A video shows the whole effect if it is left out", "A:B");
+  option("--fps", o.fps, "Frames per second of a sequence or video: 30 (default), 29.97, 30000/1001", "RATE");
   option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
   option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
   option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");
   option("--sheet", o.sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions", "CxR");
+  option("--caption", o.caption, "Text in the pictures of a sheet, \"t={time} s\" if left out; may hold {time}, {frame}, {seed}, {title}, {name}; or none", "TEXT");
+  command.add_flag("--index", o.index, "Write NAME.json beside a sheet NAME.png: places, times and pivot of its pictures, as game engines read it");
   command.add_flag("--template", o.as_template, "Draw the template, the shape that shows the settings, instead of the explosion");
   option("--view", o.view, "The template's view: surface (default), polygons, splines", "VIEW");
   option("--layer", o.layer, "The layer whose template is drawn, the first enabled one if left out", "NAME");

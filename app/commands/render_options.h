@@ -15,8 +15,8 @@ namespace npsee::commands {
 struct RenderOptions {
   std::vector<std::string> files;
   std::vector<std::string> settings;
-  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads;
-  bool as_template = false;
+  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads, format, caption;
+  bool as_template = false, index = false;
   // a pipeline's habits
   std::string shard, summary, progress;
   bool resume = false, dry_run = false, verify = false;

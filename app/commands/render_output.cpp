@@ -14,14 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "bridge" for "effects/bridge.npsee.json".
-std::string presetName(const std::string& file) {
-  std::string name = fs::path(file).filename().string();
-  for (const std::string_view ending : {".npsee.json", ".json"})
-    if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  return name;
-}
-
 struct Pattern {
   std::size_t at, size;
   int digits;
@@ -52,14 +44,6 @@ Expected<void> checkFolder(const fs::path& folder, const std::string& output) {
   return {};
 }
 
-Expected<void> checkEnding(const fs::path& name) {
-  const std::string ending = name.extension().string();
-  if (ending.empty() || ending == ".png" || ending == ".PNG") return {};
-  const bool video = ending == ".mp4" || ending == ".webm" || ending == ".mkv" || ending == ".gif" || ending == ".mov";
-  return fail(ErrorKind::usage, "-o " + name.string() + ": pictures are written as PNG.",
-              video ? "Write a sequence (--frames 0:2 --fps 30 -o frame_%04d.png) and join it with `ffmpeg -framerate 30 -i frame_%04d.png " + name.filename().string() + "`." : "End the name in .png.");
-}
-
 /// A device or pipe that is written straight through.
 bool isSpecial(const fs::path& path) {
   std::error_code ignored;
@@ -68,7 +52,14 @@ bool isSpecial(const fs::path& path) {
 
 }  // namespace
 
-Expected<OutputNames> OutputNames::make(const std::string& output, const std::vector<std::string>& presets, bool sequence) {
+std::string presetName(const std::string& file) {
+  std::string name = fs::path(file).filename().string();
+  for (const std::string_view ending : {".npsee.json", ".json"})
+    if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  return name;
+}
+
+Expected<OutputNames> OutputNames::make(const std::string& output, const std::vector<std::string>& presets, bool sequence, const std::string& ending) {
   OutputNames out;
   out.numbered_ = sequence;
   std::error_code ignored;
@@ -78,9 +69,8 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
     if (!folder)
       return fail(ErrorKind::usage, "-o " + output + ": several presets need a folder to be written to.", "Name an existing folder, or end the name in / once it exists.");
     if (auto checked = checkFolder(path, output); !checked) return tl::unexpected<Error>(checked.error());
-    return inFolder(path, presets, sequence);
+    return inFolder(path, presets, sequence, ending);
   }
-  if (auto checked = checkEnding(path); !checked) return tl::unexpected<Error>(checked.error());
   if (!isSpecial(path))
     if (auto checked = checkFolder(path.parent_path(), output); !checked) return tl::unexpected<Error>(checked.error());
   const std::string name = path.filename().string();
@@ -97,12 +87,12 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
     out.numbered_ = false;
     out.names_.push_back({path.parent_path(), name, ""});
   } else {
-    out.names_.push_back({path.parent_path(), path.stem().string() + '_', path.has_extension() ? path.extension().string() : ".png"});
+    out.names_.push_back({path.parent_path(), path.stem().string() + '_', path.has_extension() ? path.extension().string() : ending});
   }
   return out;
 }
 
-Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::vector<std::string>& presets, bool sequence) {
+Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::vector<std::string>& presets, bool sequence, const std::string& ending) {
   OutputNames out;
   out.numbered_ = sequence;
   std::set<std::string> seen;
@@ -110,7 +100,7 @@ Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::v
     const std::string name = presetName(preset);
     if (!seen.insert(name).second)
       return fail(ErrorKind::usage, "two of the presets are called " + name + ", and their pictures would overwrite each other.", "Render them one by one with a name of their own.");
-    out.names_.push_back({folder, sequence ? name + '_' : name, ".png"});
+    out.names_.push_back({folder, sequence ? name + '_' : name, ending});
   }
   return out;
 }

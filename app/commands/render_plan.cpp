@@ -1,5 +1,7 @@
 #include "app/commands/render_plan.h"
 
+#include "app/commands/render_caption.h"
+
 #include "sim/core/text.h"
 
 #include <npsee/parameters.h>
@@ -16,6 +18,7 @@ namespace {
 /// Latest time that can be asked for, s: a day, far beyond any effect's end.
 constexpr double kMaxTime_s = 86400.0;
 constexpr double kMaxFps = 1000.0;
+constexpr std::int64_t kMaxGifPixels = 500'000'000;
 
 tl::unexpected<Error> refused(std::string_view option, std::string_view text, const std::string& why, std::string remedy) {
   return fail(ErrorKind::usage, std::string(option) + ' ' + std::string(text) + ": " + why, std::move(remedy));
@@ -114,13 +117,17 @@ Expected<void> readRange(const RenderOptions& options, RenderPlan& plan) {
   return {};
 }
 
+/// First frame whose time k / rate is not before `time`.
+std::int64_t firstFrame(const FrameRate& rate, double time_s) {
+  // The slack takes a product like 0.3 * 10 for the whole number that was meant.
+  return static_cast<std::int64_t>(std::ceil(time_s * static_cast<double>(rate.numerator) / static_cast<double>(rate.denominator) - 1e-6));
+}
+
 /// Frames whose time k / rate lies in [from, to).
 Expected<void> countFrames(const RenderOptions& options, RenderPlan& plan) {
   const double per_second = static_cast<double>(plan.rate.numerator) / static_cast<double>(plan.rate.denominator);
-  // The slack takes a product like 0.3 * 10 for the whole number that was meant.
-  const auto firstFrom = [&](double time) { return static_cast<std::int64_t>(std::ceil(time * per_second - 1e-6)); };
-  plan.first_frame = firstFrom(plan.range_s->first);
-  plan.frame_count = firstFrom(plan.range_s->second) - plan.first_frame;
+  plan.first_frame = firstFrame(plan.rate, plan.range_s->first);
+  plan.frame_count = firstFrame(plan.rate, plan.range_s->second) - plan.first_frame;
   if (plan.frame_count < 1) return refused("--frames", options.frames, "no frame of " + shortest(per_second) + " per second lies in this range.", "Choose a longer range or a higher --fps.");
   if (plan.frame_count > kMaxFrames)
     return refused("--frames", options.frames, "that is " + std::to_string(plan.frame_count) + " frames, above the limit of " + std::to_string(kMaxFrames) + ".", "Choose a shorter range or a lower --fps.");
@@ -182,14 +189,29 @@ Expected<render::TemplateView> readView(std::string_view text) {
   return refused("--view", text, "there is no such view of the template.", "Write splines, polygons or surface.");
 }
 
+/// What the encoders cannot do.
+Expected<void> checkVideo(const RenderOptions& options, const RenderPlan& plan) {
+  const std::string name = endingOf(plan.format).substr(1);
+  if (plan.format != FileFormat::gif && (plan.width % 2 != 0 || plan.height % 2 != 0))
+    return refused("--size", options.size, "width and height of " + name + " videos are even numbers.", "Add or take away one pixel.");
+  if (plan.format == FileFormat::mp4 && plan.background.kind == render::Background::Kind::transparent)
+    return refused("--background", options.background, "mp4 videos cannot be transparent.", "Write .webm or .gif, or choose another background.");
+  return {};
+}
+
 /// What kind of result is asked for; options that contradict each other are refused, none is ignored.
-Expected<RenderKind> readKind(const RenderOptions& options) {
+Expected<RenderKind> readKind(const RenderOptions& options, FileFormat format) {
   const auto clash = [](const std::string& what, const std::string& remedy) { return fail(ErrorKind::usage, what, remedy); };
   const bool moving = !options.frames.empty() || !options.sheet.empty() || !options.fps.empty();
   if (!options.view.empty() && !options.as_template) return clash("--view is one of the template's views.", "Add --template.");
   if (!options.layer.empty() && !options.as_template) return clash("--layer chooses whose template is drawn; a picture of the explosion shows all layers.", "Add --template.");
   if (options.as_template && (moving || !options.time.empty() || !options.camera.empty()))
     return clash("--template shows the settings, which have no time and no camera.", "Leave out --time, --frames, --fps, --sheet and --camera.");
+  if (options.sheet.empty() && (options.index || !options.caption.empty())) return clash("--index and --caption belong to a sheet.", "Add --sheet, for example --sheet 4x4.");
+  if (isVideo(format)) {
+    if (options.as_template || !options.sheet.empty() || !options.time.empty()) return clash("a video shows the effect in motion.", "Leave out --template, --sheet and --time; --frames FROM:TO chooses a part.");
+    return RenderKind::video;
+  }
   if (options.as_template) return RenderKind::template_view;
   if (!options.time.empty() && moving) return clash("--time asks for one moment, --frames and --sheet for several.", "Leave one of them out.");
   if (!options.sheet.empty() && !options.fps.empty()) return clash("--fps is for sequences; a sheet divides its time evenly.", "Leave out --fps, or --sheet.");
@@ -208,7 +230,8 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
     slot = std::move(*read);
     return {};
   };
-  Expected<void> done = take(readKind(options), plan.kind);
+  Expected<void> done = take(readFormat(options.format, options.output), plan.format);
+  if (done) done = take(readKind(options, plan.format), plan.kind);
   if (done && !options.sheet.empty()) done = readSheet(options, plan);
   if (done) done = readSize(options, plan);
   if (done) done = take(readBackground(options.background), plan.background);
@@ -218,10 +241,16 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done && !options.shard.empty()) done = take(readShard(options.shard), plan.shard);
   if (done && !options.fps.empty()) done = take(readRate(options.fps), plan.rate);
   if (done && !options.frames.empty()) done = readRange(options, plan);
-  if (done && plan.kind == RenderKind::sequence) done = countFrames(options, plan);
+  if (done && plan.range_s && (plan.kind == RenderKind::sequence || plan.kind == RenderKind::video)) done = countFrames(options, plan);
+  if (done && plan.kind == RenderKind::video) done = checkVideo(options, plan);
+  if (done) done = checkCaption(options.caption);
   if (!done) return tl::unexpected<Error>(done.error());
   if (!options.camera.empty()) plan.camera = options.camera;
   plan.layer = options.layer;
+  plan.index = options.index;
+  // A transparent sheet is a sprite sheet: nothing but the effect.
+  plan.caption = !options.caption.empty() ? options.caption : plan.background.kind == render::Background::Kind::transparent ? "none" : kUsualCaption;
+  if (plan.caption == "none") plan.caption.clear();
   return plan;
 }
 
@@ -242,6 +271,17 @@ Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset) {
 Shot shotOf(const RenderPlan& plan, std::int64_t number, double duration_s) {
   if (plan.kind == RenderKind::sequence) return {plan.rate.timeOf(number), number};
   return {plan.moments.at(static_cast<std::size_t>(number)).at(duration_s), number};
+}
+
+Expected<std::vector<Shot>> videoShots(const RenderPlan& plan, double duration_s) {
+  const std::int64_t count = plan.range_s ? plan.frame_count : std::max<std::int64_t>(firstFrame(plan.rate, duration_s), 1);
+  if (count > kMaxFrames) return fail(ErrorKind::usage, "the video would have " + std::to_string(count) + " frames, above the limit of " + std::to_string(kMaxFrames) + ".", "Choose a part of it with --frames, or a lower --fps.");
+  // ffmpeg keeps all frames of a GIF until it knows their colours.
+  if (plan.format == FileFormat::gif && count * plan.width * plan.height > kMaxGifPixels)
+    return fail(ErrorKind::usage, "a GIF of " + std::to_string(count) + " frames of this size would take more than 2 GB to make.", "Choose a smaller --size, a lower --fps or a part with --frames; or write .webm.");
+  std::vector<Shot> shots;
+  for (std::int64_t k = plan.first_frame; k < plan.first_frame + count; ++k) shots.push_back({plan.rate.timeOf(k), k});
+  return shots;
 }
 
 std::vector<Shot> sheetShots(const RenderPlan& plan, double duration_s) {

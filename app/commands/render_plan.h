@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands/render_format.h"
 #include "app/commands/render_options.h"
 #include "app/render/renderer.h"
 
@@ -13,7 +14,7 @@
 
 namespace npsee::commands {
 
-enum class RenderKind { picture, sequence, sheet, template_view };
+enum class RenderKind { picture, sequence, sheet, template_view, video };
 
 /// Frames per second as a fraction, so that the time of frame k is one rounded division of integers.
 struct FrameRate {
@@ -37,6 +38,7 @@ struct Shard {
 /// The options understood. Nothing has been read or written yet.
 struct RenderPlan {
   RenderKind kind = RenderKind::picture;
+  FileFormat format = FileFormat::png;
   int width = 1280, height = 720;  ///< of each picture, pixels
   int columns = 1, rows = 1;       ///< of a sheet
   int threads = 1;
@@ -45,7 +47,9 @@ struct RenderPlan {
   std::vector<Moment> moments{Moment{}};  ///< of pictures; a quarter into an effect its pieces are usually spread and in flight
   std::optional<std::pair<double, double>> range_s;  ///< `--frames`, s
   FrameRate rate;
-  std::int64_t first_frame = 0, frame_count = 0;  ///< of a sequence
+  std::int64_t first_frame = 0, frame_count = 0;  ///< of a sequence; of a video with a range
+  std::string caption;  ///< of a sheet's pictures; empty = none
+  bool index = false;   ///< of a sheet
   render::TemplateView view = render::TemplateView::surface;
   std::string layer;  ///< whose template; empty = the first that is enabled
   Shard shard;
@@ -81,6 +85,8 @@ struct Shot {
 
 /// The picture with a number, of an effect that lasts `duration_s`: not for sheets.
 Shot shotOf(const RenderPlan& plan, std::int64_t number, double duration_s);
+/// The pictures of a video. Error kind usage: too many.
+Expected<std::vector<Shot>> videoShots(const RenderPlan& plan, double duration_s);
 /// The pictures of a sheet.
 std::vector<Shot> sheetShots(const RenderPlan& plan, double duration_s);
 

@@ -1,10 +1,11 @@
 #include "app/commands/render_run.h"
 
 #include "app/commands/interrupt.h"
+#include "app/commands/render_caption.h"
+#include "app/commands/sprite_index.h"
 #include "app/render/contact_sheet.h"
-
-#include <cstdio>
-#include <span>
+#include "app/render/video.h"
+#include "sim/core/files.h"
 
 namespace npsee::commands {
 namespace {
@@ -24,13 +25,6 @@ PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& 
   return job;
 }
 
-/// "t=0.52 s"
-std::string caption(double time_s) {
-  char text[40];
-  std::snprintf(text, sizeof text, "t=%.2f s", time_s);
-  return text;
-}
-
 /// Draws items, given by their index, of one preset.
 class PresetRun {
  public:
@@ -43,7 +37,8 @@ class PresetRun {
     const auto explosion = Explosion::compile(preset, std::nullopt, nullptr, {.threads = run_.plan.threads});
     if (!explosion) return tl::unexpected<Error>(explosion.error());
     const PictureJob job = jobOf(run_.plan, preset, **explosion);
-    return run_.plan.kind == RenderKind::sheet ? drawSheet(job) : drawPictures(job);
+    if (run_.plan.kind == RenderKind::video) return drawVideo(job);
+    return run_.plan.kind == RenderKind::sheet ? drawSheet(preset, job) : drawPictures(job);
   }
 
  private:
@@ -57,18 +52,41 @@ class PresetRun {
     return result;
   }
 
-  Expected<void> drawSheet(const PictureJob& job) {
+  Expected<void> drawSheet(const Preset& preset, const PictureJob& job) {
     const RenderPlan& plan = run_.plan;
+    const WorkItem& item = run_.items[items_.front()];
+    const std::string& file = run_.files[item.preset];
+    const double duration_s = job.explosion->duration_s();
     render::Image sheet{plan.width * plan.columns, plan.height * plan.rows, {}};
     sheet.rgba.resize(4u * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
-    auto drawn = commands::drawPictures(run_.renderer, job, sheetShots(plan, job.explosion->duration_s()), [&](const Shot& shot, render::Image& image) -> Expected<void> {
+    auto drawn = commands::drawPictures(run_.renderer, job, sheetShots(plan, duration_s), [&](const Shot& shot, render::Image& image) -> Expected<void> {
       const int column = static_cast<int>(shot.number) % plan.columns, row = static_cast<int>(shot.number) / plan.columns;
       render::placeInSheet(sheet, image, column, row);
-      // A transparent sheet is a sprite sheet: nothing but the effect.
-      if (plan.background.kind != render::Background::Kind::transparent) render::captionCell(sheet, plan.width, plan.height, column, row, caption(shot.time_s));
+      if (!plan.caption.empty()) render::captionCell(sheet, plan.width, plan.height, column, row, captionOf(plan.caption, preset, file, shot));
       return {};
     });
+    if (drawn && !item.index.empty()) drawn = writeFileAtomically(item.index, spriteIndex(plan, job.camera, presetName(file), item.path, preset.ground_height_m, duration_s));
     return drawn ? saveOne(sheet) : drawn;
+  }
+
+  Expected<void> drawVideo(const PictureJob& job) {
+    const RenderPlan& plan = run_.plan;
+    WorkItem& item = run_.items[items_.front()];
+    const auto shots = videoShots(plan, job.explosion->duration_s());
+    if (!shots) return tl::unexpected<Error>(shots.error());
+    const bool alpha = plan.background.kind == render::Background::Kind::transparent;
+    auto video = render::VideoWriter::open(item.path, {videoFormatOf(plan.format), plan.width, plan.height, plan.rate.numerator, plan.rate.denominator, alpha, recipeComment(item)});
+    if (!video) return tl::unexpected<Error>(video.error());
+    Progress frames("frame", shots->size(), run_.progress);
+    std::size_t done = 0;
+    auto drawn = commands::drawPictures(run_.renderer, job, *shots, [&](const Shot&, render::Image& image) -> Expected<void> {
+      if (auto added = video->add(image); !added) return added;
+      frames.show(++done);
+      return {};
+    });
+    if (drawn) drawn = video->finish();
+    if (drawn) item.state = FileState::written;
+    return drawn;
   }
 
   Expected<void> drawTemplate(const Preset& preset) {
@@ -105,7 +123,8 @@ Expected<void> drawItems(RenderRun& run) {
     by_preset[run.items[i].preset].push_back(i);
     ++total;
   }
-  Progress progress(run.plan.kind == RenderKind::sequence ? "frame" : "picture", total, run.progress);
+  // A video counts its own frames.
+  Progress progress(run.plan.kind == RenderKind::sequence ? "frame" : "picture", total, run.plan.kind == RenderKind::video ? ProgressMode::never : run.progress);
   for (std::vector<std::size_t>& items : by_preset) {
     if (items.empty()) continue;
     const std::size_t count = items.size();

@@ -15,6 +15,7 @@ using SaveItem = std::function<Expected<void>(std::size_t item, const render::Im
 struct RenderRun {
   const RenderPlan& plan;
   const std::vector<Preset>& presets;
+  const std::vector<std::string>& files;  ///< of the presets
   std::vector<WorkItem>& items;  ///< those planned are drawn and become written
   render::Renderer& renderer;
   SaveItem save;

@@ -1,5 +1,6 @@
 #include "app/commands/render_work.h"
 
+#include "app/commands/sprite_index.h"
 #include "app/render/png_text.h"
 #include "sim/core/files.h"
 #include "sim/core/parallel.h"
@@ -19,9 +20,10 @@ std::string timeText(const Moment& moment) { return moment.share ? shortest(100.
 std::string kindText(const RenderPlan& plan) {
   constexpr std::string_view kViews[] = {"splines", "polygons", "surface"};
   if (plan.kind == RenderKind::template_view) return "template " + std::string(kViews[static_cast<std::size_t>(plan.view)]);
-  if (plan.kind != RenderKind::sheet) return "picture";
-  std::string out = "sheet " + std::to_string(plan.columns) + 'x' + std::to_string(plan.rows);
-  if (plan.range_s) out += " from " + shortest(plan.range_s->first) + "s to " + shortest(plan.range_s->second) + 's';
+  std::string out = "picture";
+  if (plan.kind == RenderKind::video) out = endingOf(plan.format) + ' ' + std::to_string(plan.rate.numerator) + '/' + std::to_string(plan.rate.denominator);
+  if (plan.kind == RenderKind::sheet) out = "sheet " + std::to_string(plan.columns) + 'x' + std::to_string(plan.rows) + ' ' + plan.caption;
+  if (plan.kind != RenderKind::sequence && plan.range_s) out += " from " + shortest(plan.range_s->first) + "s to " + shortest(plan.range_s->second) + 's';
   return out;
 }
 
@@ -55,16 +57,22 @@ std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& 
     for (std::int64_t i = 0; i < plan.filesPerPreset(); ++i, ++file) {
       if (!plan.shard.takes(file)) continue;
       const std::int64_t number = plan.numberOf(i);
-      out.push_back({p, number, names.path(p, number), sha256(options + content + '\n' + timeOf(plan, number)), FileState::planned});
+      out.push_back({p, number, names.path(p, number), {}, sha256(options + content + '\n' + timeOf(plan, number)), FileState::planned});
+      if (plan.index) out.back().index = indexPath(out.back().path);
     }
   }
   return out;
 }
 
+std::string recipeComment(const WorkItem& item) { return std::string(render::kRecipeKeyword) + ' ' + item.recipe; }
+
 bool isFinished(const WorkItem& item) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(item.path, ignored)) return false;
+  if (!item.index.empty() && !std::filesystem::is_regular_file(item.index, ignored)) return false;
   const auto bytes = readTextFile(item.path, kMaxFinishedFile);
+  // A video appears under its name only when it is whole.
+  if (bytes && !bytes->starts_with("\x89PNG")) return bytes->find(recipeComment(item)) != std::string::npos;
   return bytes && render::textOfWholePng(*bytes, render::kRecipeKeyword) == item.recipe;
 }
 

@@ -17,12 +17,16 @@ struct WorkItem {
   std::size_t preset = 0;
   std::int64_t number = 0;  ///< frame number, or which of the moments; see RenderPlan::numberOf
   std::filesystem::path path;
+  std::filesystem::path index;  ///< of a sheet; empty = none
   std::string recipe;       ///< fingerprint of all that its pixels depend on
   FileState state = FileState::planned;
 };
 
 /// The files of this call (of its shard), in order of presets and numbers.
 std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& presets, const OutputNames& names);
+
+/// What a video says about itself.
+std::string recipeComment(const WorkItem& item);
 
 /// Whether the file is there, whole, and made by this recipe.
 bool isFinished(const WorkItem& item);

@@ -1,24 +1,15 @@
 #include "app/render/contact_sheet.h"
 
+#include "app/render/glyphs.h"
+
 #include <algorithm>
 #include <cstdint>
 
 namespace npsee::render {
 namespace {
 
-/// 5 x 7 pixel letters of our own, one byte per row, bit 4 is the left column.
-struct Glyph {
-  char letter;
-  std::uint8_t rows[7];
-};
-constexpr Glyph kGlyphs[] = {
-    {'0', {14, 17, 19, 21, 25, 17, 14}}, {'1', {4, 12, 4, 4, 4, 4, 14}},      {'2', {14, 17, 1, 6, 8, 16, 31}},
-    {'3', {30, 1, 1, 14, 1, 1, 30}},     {'4', {2, 6, 10, 18, 31, 2, 2}},     {'5', {31, 16, 30, 1, 1, 17, 14}},
-    {'6', {6, 8, 16, 30, 17, 17, 14}},   {'7', {31, 1, 2, 4, 8, 8, 8}},       {'8', {14, 17, 17, 14, 17, 17, 14}},
-    {'9', {14, 17, 17, 15, 1, 2, 12}},   {'.', {0, 0, 0, 0, 0, 12, 12}},      {'t', {8, 8, 28, 8, 8, 9, 6}},
-    {'s', {0, 0, 15, 16, 14, 1, 30}},    {'=', {0, 0, 31, 0, 31, 0, 0}},      {'-', {0, 0, 0, 31, 0, 0, 0}},
-};
-constexpr int kAdvance = 6, kGlyphHeight = 7;
+/// Dots from one letter to the next, and above the line.
+constexpr int kAdvance = kGlyphWidth + 1, kLineHeight = 7;
 
 struct Area {
   int left, top, right, bottom;  ///< right and bottom excluded
@@ -43,16 +34,15 @@ void placeInSheet(Image& sheet, const Image& picture, int column, int row) {
 void captionCell(Image& sheet, int cell_width, int cell_height, int column, int row, std::string_view text) {
   const Area cell{column * cell_width, row * cell_height, (column + 1) * cell_width, (row + 1) * cell_height};
   const int dot = std::max(1, cell_height / 180), margin = 4 * dot;
-  const int width = kAdvance * static_cast<int>(text.size()) * dot, height = kGlyphHeight * dot;
+  const int width = kAdvance * static_cast<int>(text.size()) * dot, height = kLineHeight * dot;
   const int left = cell.left + 2 * margin, top = cell.bottom - 2 * margin - height;
   // A plate under the text: it has to be read over sky, ground and fire alike.
   fill(sheet, cell, {left - margin, top - margin, left + width + margin - dot, top + height + margin}, 18, 62);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto* glyph = std::ranges::find(kGlyphs, text[i], &Glyph::letter);
-    if (glyph == std::end(kGlyphs)) continue;
+    const Glyph& glyph = glyphOf(text[i]);
     for (int y = 0; y < kGlyphHeight; ++y)
-      for (int x = 0; x < 5; ++x) {
-        if (((glyph->rows[y] >> (4 - x)) & 1) == 0) continue;
+      for (int x = 0; x < kGlyphWidth; ++x) {
+        if (((glyph[static_cast<std::size_t>(y)] >> (kGlyphWidth - 1 - x)) & 1) == 0) continue;
         const int at_x = left + (kAdvance * static_cast<int>(i) + x) * dot, at_y = top + y * dot;
         fill(sheet, cell, {at_x, at_y, at_x + dot, at_y + dot}, 226, 100);
       }

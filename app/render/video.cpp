@@ -1,0 +1,249 @@
+#include "app/render/video.h"
+
+#include "sim/core/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace npsee::render {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+/// Encoders work on a fixed number of threads: their bytes depend on it.
+constexpr const char* kThreads = "2";
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+  int get() const { return fd_; }
+  void close() {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+  }
+
+ private:
+  int fd_;
+};
+
+tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why, std::string remedy = "Choose another place or make room; nothing was changed.") {
+  return fail(ErrorKind::output, {.what = "cannot be written: " + why + ".", .remedy = std::move(remedy), .file = path.string(), .line = 0, .pointer = {}});
+}
+
+std::string_view nameOf(VideoFormat format) {
+  switch (format) {
+    case VideoFormat::mp4: return "mp4";
+    case VideoFormat::webm: return "webm";
+    case VideoFormat::gif: break;
+  }
+  return "gif";
+}
+
+/// What the encoder is told. Colours are converted to BT.709, which players take HD video for.
+Words encoderWords(const VideoSettings& settings) {
+  const std::string to_video = "scale=in_range=full:out_range=tv:out_color_matrix=bt709:flags=accurate_rnd+full_chroma_int+bicubic";
+  const Words colours{"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"};
+  Words out;
+  switch (settings.format) {
+    case VideoFormat::mp4:
+      out = {"-vf", to_video, "-c:v", "libx264", "-preset", "medium", "-crf", "16", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
+      break;
+    case VideoFormat::webm:
+      out = {"-vf", to_video, "-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "20", "-row-mt", "0", "-pix_fmt", settings.alpha ? "yuva420p" : "yuv420p"};
+      // libvpx cannot look at alternative frames and keep alpha.
+      if (settings.alpha) out.insert(out.end(), {"-auto-alt-ref", "0"});
+      break;
+    case VideoFormat::gif:
+      return {"-filter_complex", "[0:v]split[a][b];[a]palettegen=stats_mode=diff:reserve_transparent=1[p];[b][p]paletteuse=dither=bayer:bayer_scale=4:alpha_threshold=128", "-loop", "0", "-threads", kThreads};
+  }
+  out.insert(out.end(), colours.begin(), colours.end());
+  out.insert(out.end(), {"-threads", kThreads});
+  return out;
+}
+
+Words ffmpegWords(const fs::path& program, const VideoSettings& s, const fs::path& out) {
+  Words words{program.string(), "-hide_banner", "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba", "-video_size", std::to_string(s.width) + 'x' + std::to_string(s.height), "-framerate",
+              std::to_string(s.rate_numerator) + '/' + std::to_string(s.rate_denominator), "-i", "pipe:0"};
+  const Words encoder = encoderWords(s);
+  words.insert(words.end(), encoder.begin(), encoder.end());
+  // Nothing of the encoder's version or of the time gets into the file.
+  words.insert(words.end(), {"-map_metadata", "-1", "-metadata", "comment=" + s.comment, "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", std::string(nameOf(s.format)), "file:" + out.string()});
+  return words;
+}
+
+/// Starts a program with our pipe as its input and `messages` as both outputs; -1 and errno if it cannot be.
+pid_t start(const Words& words, int input, int messages) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t how;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawnattr_init(&how);
+  ::posix_spawn_file_actions_adddup2(&files, input, 0);
+  ::posix_spawn_file_actions_adddup2(&files, messages, 1);
+  ::posix_spawn_file_actions_adddup2(&files, messages, 2);
+  // A process group of its own: Ctrl-C is for us, and we end it in order. SIGPIPE as programs expect it.
+  sigset_t usual;
+  ::sigemptyset(&usual);
+  for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGXFSZ}) ::sigaddset(&usual, signal);
+  ::posix_spawnattr_setsigdefault(&how, &usual);
+  ::posix_spawnattr_setpgroup(&how, 0);
+  ::posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  pid_t child = -1;
+  const int error = ::posix_spawn(&child, argv[0], &files, &how, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  ::posix_spawnattr_destroy(&how);
+  if (error == 0) return child;
+  errno = error;
+  return -1;
+}
+
+/// GIF has a place for comments that ffmpeg does not write.
+void appendGifComment(const fs::path& file, const std::string& comment) {
+  const Descriptor out(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+  char trailer = 0;
+  if (out.get() < 0 || ::lseek(out.get(), -1, SEEK_END) < 0 || ::read(out.get(), &trailer, 1) != 1 || trailer != 0x3b) return;
+  const std::string text = comment.substr(0, 255);
+  const std::string block = std::string("\x21\xfe", 2) + static_cast<char>(text.size()) + text + '\0' + '\x3b';
+  if (::lseek(out.get(), -1, SEEK_END) >= 0) [[maybe_unused]] const ssize_t written = ::write(out.get(), block.data(), block.size());
+}
+
+}  // namespace
+
+struct VideoWriter::Impl {
+  fs::path path, temporary;
+  VideoSettings settings;
+  Descriptor input, messages;
+  pid_t child = -1;
+
+  ~Impl() {
+    input.close();
+    if (child > 0) {
+      ::kill(child, SIGKILL);
+      wait();
+    }
+    if (!temporary.empty()) ::unlink(temporary.c_str());
+  }
+
+  /// ffmpeg's exit status, -1 if a signal ended it.
+  int wait() {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    child = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// The last lines that ffmpeg wrote.
+  std::string words() const {
+    std::array<char, 2000> text{};
+    const off_t size = ::lseek(messages.get(), 0, SEEK_END);
+    const ssize_t n = ::pread(messages.get(), text.data(), text.size(), std::max<off_t>(size - static_cast<off_t>(text.size()), 0));
+    std::string out(text.data(), static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    while (!out.empty() && (out.back() == '\n' || out.back() == '.')) out.pop_back();
+    std::ranges::replace(out, '\n', ';');
+    return out;
+  }
+
+  tl::unexpected<Error> refused() const {
+    const std::string why = words();
+    return fail(ErrorKind::output, {.what = "ffmpeg could not make the video" + (why.empty() ? std::string() : ": " + why) + '.', .remedy = "Debian's package ffmpeg has every encoder that is needed; nothing was changed.", .file = path.string(), .line = 0, .pointer = {}});
+  }
+};
+
+VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
+VideoWriter::~VideoWriter() = default;
+
+Expected<fs::path> findFfmpeg() {
+  const char* named = std::getenv("NPSEE_FFMPEG");
+  const std::string name = named != nullptr && *named != '\0' ? named : "ffmpeg";
+  const char* path = std::getenv("PATH");
+  const auto usable = [](const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) {
+    if (usable(name)) return fs::path(name);
+  } else {
+    for (const std::string_view folder : splitAt(path != nullptr ? path : "/usr/bin:/bin", ':'))
+      if (!folder.empty() && usable(fs::path(folder) / name)) return fs::path(folder) / name;
+  }
+  return fail(ErrorKind::output, "a video needs the program ffmpeg, and there is no " + name + " to run.", "Install Debian's package ffmpeg or name the program in NPSEE_FFMPEG; or write a sequence of pictures, -o frame_%04d.png.");
+}
+
+Expected<VideoWriter> VideoWriter::open(const fs::path& path, const VideoSettings& settings) {
+  const auto program = findFfmpeg();
+  if (!program) return tl::unexpected<Error>(program.error());
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->settings = settings;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return cannotWrite(path, "it is a folder");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
+  const Descriptor made(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (made.get() < 0) return cannotWrite(path, errno == ENOENT ? "the folder does not exist" : std::strerror(errno));
+  impl->temporary = temporary;
+  impl->messages = Descriptor(::memfd_create("ffmpeg", MFD_CLOEXEC));
+  std::array<int, 2> pipe{};
+  if (impl->messages.get() < 0 || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return cannotWrite(path, std::strerror(errno));
+  const Descriptor read_end(pipe[0]);
+  impl->input = Descriptor(pipe[1]);
+  impl->child = start(ffmpegWords(*program, settings, impl->temporary), read_end.get(), impl->messages.get());
+  if (impl->child < 0) return cannotWrite(path, program->string() + ": " + std::strerror(errno), "Name a program that can be run in NPSEE_FFMPEG, or unset it.");
+  return VideoWriter(std::move(impl));
+}
+
+Expected<void> VideoWriter::add(const Image& frame) {
+  const char* at = reinterpret_cast<const char*>(frame.rgba.data());
+  std::size_t left = frame.rgba.size();
+  while (left > 0) {
+    const ssize_t n = ::write(impl_->input.get(), at, left);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      // It has gone; what it said tells why.
+      impl_->input.close();
+      if (impl_->child > 0) impl_->wait();
+      return impl_->refused();
+    }
+    at += n;
+    left -= static_cast<std::size_t>(n);
+  }
+  return {};
+}
+
+Expected<void> VideoWriter::finish() {
+  impl_->input.close();
+  if (impl_->child < 0 || impl_->wait() != 0) return impl_->refused();
+  if (impl_->settings.format == VideoFormat::gif) appendGifComment(impl_->temporary, impl_->settings.comment);
+  const Descriptor file(::open(impl_->temporary.c_str(), O_RDWR | O_CLOEXEC));
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (file.get() < 0 || ::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0 || ::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) return cannotWrite(impl_->path, std::strerror(errno));
+  impl_->temporary.clear();
+  return {};
+}
+
+}  // namespace npsee::render
