@@ -18,8 +18,6 @@ struct Spelling {
   double to_si;
 };
 
-constexpr double kDegree = kPi / 180.0;
-
 struct UnitRow {
   std::string_view symbol;
   double to_si;

@@ -20,10 +20,6 @@ constexpr double kSameCharge = 0.03;
 constexpr double kSameCalibre = 0.05;
 constexpr std::string_view kUsualShell = "m107";
 
-Fault plain(std::string what, std::string remedy) {
-  return {.what = std::move(what), .remedy = std::move(remedy), .file = {}, .line = 0, .pointer = {}};
-}
-
 std::string named(const Weapon& weapon) { return "the weapon " + std::to_string(weapon.id) + " (" + weapon.name + ")"; }
 std::string named(const BatterySetup& battery) { return "the battery \"" + battery.id + "\""; }
 
@@ -70,9 +66,9 @@ std::vector<Fault> weaponFaults(const BatterySetup& battery, const Weapon& weapo
   std::vector<Fault> faults;
   const std::string who = named(battery) + " has " + named(weapon);
   if (weapon.path == PathType::linear || weapon.path == PathType::gravity_bomb)
-    faults.push_back(plain(who + ", which " + (weapon.path == PathType::linear ? "shoots straight lines (path type 2)." : "is a bomb (path type 3)."), "A battery needs a weapon of path type 0 or 1."));
+    faults.push_back(placeless(who + ", which " + (weapon.path == PathType::linear ? "shoots straight lines (path type 2)." : "is a bomb (path type 3)."), "A battery needs a weapon of path type 0 or 1."));
   if (battery.charges.empty() && !(weapon.muzzle_velocity_mps >= 20.0 && weapon.muzzle_velocity_mps <= 3000.0))
-    faults.push_back(plain(who + " of " + shortest(weapon.muzzle_velocity_mps) + " m/s, with which no shell is lobbed.", "Its muzzle velocity must lie between 20 and 3000 m/s; or name the battery's charges."));
+    faults.push_back(placeless(who + " of " + shortest(weapon.muzzle_velocity_mps) + " m/s, with which no shell is lobbed.", "Its muzzle velocity must lie between 20 and 3000 m/s; or name the battery's charges."));
   return faults;
 }
 
@@ -83,7 +79,7 @@ Expected<void> takeNamedCharges(const BatterySetup& battery, Ammunition& out) {
     const auto charge = findCharge(out.projectile, name);
     if (charge) out.charges.push_back(*charge);
     else
-      for (const Fault& fault : charge.error().faults) faults.push_back(plain(named(battery) + ": " + fault.what, fault.remedy));
+      for (const Fault& fault : charge.error().faults) faults.push_back(placeless(named(battery) + ": " + fault.what, fault.remedy));
   }
   if (!faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
   std::ranges::stable_sort(out.charges, {}, &Charge::speed_mps);
@@ -101,12 +97,16 @@ void takeWeaponsCharge(const BatterySetup& battery, const Weapon& weapon, bool f
   own.name = shortest(weapon.muzzle_velocity_mps) + " m/s";
   own.speed_mps = weapon.muzzle_velocity_mps;
   out.charges.push_back(own);
-  out.warnings.push_back(plain(named(battery) + ": " + named(weapon) + " fires at " + own.name + (fits ? ", which is no charge of the " : ", and no shipped shell is known to be its own; it flies like the ") + out.projectile.name +
+  out.warnings.push_back(placeless(named(battery) + ": " + named(weapon) + " fires at " + own.name + (fits ? ", which is no charge of the " : ", and no shipped shell is known to be its own; it flies like the ") + out.projectile.name +
                                    (fits ? "; its trajectories are computed without fitted factors." : "."),
                                "Name the battery's \"projectile\" and \"charges\" to choose."));
 }
 
 }  // namespace
+
+Fault placeless(std::string what, std::string remedy) {
+  return {.what = std::move(what), .remedy = std::move(remedy), .file = {}, .line = 0, .pointer = {}};
+}
 
 Expected<Ammunition> ammunitionOf(const BatterySetup& battery, const Weapon& weapon) {
   if (auto faults = weaponFaults(battery, weapon); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});

@@ -18,13 +18,9 @@ constexpr double kIgnoredMiss_m = 30.0;
 /// At least well above the accuracy of a solution (0.04 m), also where it is stretched by a grazing descent.
 constexpr double kLeastMaskTolerance_m = 2.0;
 
-std::string metres(double value) { return shortest(std::floor(value + 0.5)) + " m"; }
-
-Fault plain(std::string what, std::string remedy) {
-  return {.what = std::move(what), .remedy = std::move(remedy), .file = {}, .line = 0, .pointer = {}};
-}
-
 }  // namespace
+
+std::string metres(double value) { return shortest(std::floor(value + 0.5) + 0.0) + " m"; }
 
 FireComputer::FireComputer(const BatterySetup& battery, const Weapon& weapon, const Terrain& terrain, const Weather& weather, const FdcSetup& fdc, Ammunition ammunition)
     : battery_(battery),
@@ -54,7 +50,7 @@ Expected<void> FireComputer::prepare() {
   if (!ammunition_.by_weapon || !(stated > 0.0)) return {};
   const std::string who = "the battery \"" + battery_.id + "\": the weapon " + std::to_string(weapon_.id) + " (" + weapon_.name + ") states a range of " + metres(stated);
   if (stated > max_range_m_) {
-    ammunition_.warnings.push_back(plain(who + ", but its shell reaches " + metres(max_range_m_) + " on level ground.", "The stated range is not relied on."));
+    ammunition_.warnings.push_back(placeless(who + ", but its shell reaches " + metres(max_range_m_) + " on level ground.", "The stated range is not relied on."));
   } else {
     range_limit_m_ = max_range_m_ = stated;
   }

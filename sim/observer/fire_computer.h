@@ -21,6 +21,9 @@ class Surface final : public Ground {
   Terrain terrain_;
 };
 
+/// "1234 m", to the nearest metre.
+std::string metres(double value);
+
 /// The arithmetic behind FireDirection. Not thread-safe: it remembers what it computed, without any effect on results.
 class FireComputer {
  public:

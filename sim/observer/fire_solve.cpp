@@ -19,7 +19,6 @@ constexpr int kLeadRounds = 16;
 /// Refused attempts that a reason quotes.
 constexpr std::size_t kQuoted = 4;
 
-std::string metres(double value) { return shortest(std::floor(value + 0.5) + 0.0) + " m"; }
 std::string tenths(double value) { return shortest(std::floor(value * 10.0 + 0.5) / 10.0); }
 std::string mils(double rad) { return shortest(std::floor(rad * 6400.0 / kTwoPi + 0.5) + 0.0) + " mil"; }
 

@@ -6,7 +6,6 @@
 namespace npsee::world {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 /// Room that a meandering driver wants ahead, and the least that is worth driving, m.
 constexpr double kEnough_m = 150.0, kLeast_m = 15.0;
 /// A straight piece towards a goal, s: the speed is then chosen anew for the slope.

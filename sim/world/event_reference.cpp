@@ -56,7 +56,7 @@ ordered_json typeSchema(std::string_view type) {
   return {{"type", "string"}};
 }
 
-std::string asSchema() {
+std::string lineSchema() {
   ordered_json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "one line of the event log of npsee mission"}, {"oneOf", ordered_json::array()}};
   for (const std::string_view kind : eventKindNames()) {
     ordered_json properties = {{"t", {{"type", "number"}, {"minimum", 0}}}, {"ev", {{"const", kind}}}}, required = {"t", "ev"};
@@ -85,7 +85,7 @@ std::string eventReference(ReferenceFormat format) {
     case ReferenceFormat::text: return asText();
     case ReferenceFormat::markdown: return asMarkdown();
     case ReferenceFormat::json: return asJson();
-    case ReferenceFormat::json_schema: return asSchema();
+    case ReferenceFormat::json_schema: return lineSchema();
   }
   return {};
 }

@@ -51,9 +51,9 @@ std::string_view typeOf(TargetClass target) {
 
 std::string_view colourOf(Side side) { return side == Side::friendly ? "Blue" : side == Side::hostile ? "Red" : "Green"; }
 
-class Writer {
+class AcmiWriter {
  public:
-  explicit Writer(const Recording& recording) : r_(recording) {}
+  explicit AcmiWriter(const Recording& recording) : r_(recording) {}
 
   std::string run(const std::vector<Sample>& samples) {
     out_ = "FileType=text/acmi/tacview\nFileVersion=2.2\n0,ReferenceTime=1993-09-01T00:00:00Z\n0,ReferenceLongitude=0\n0,ReferenceLatitude=0\n0,DataSource=npsee\n0,Title=" + escaped(r_.scenario.title.empty() ? r_.scenario.name : r_.scenario.title) + '\n';
@@ -166,7 +166,7 @@ class Writer {
 Expected<std::string> acmiText(const Recording& recording, const ExportSetup& setup) {
   const auto samples = world::samplesOf(recording, setup);
   if (!samples) return tl::unexpected<Error>(samples.error());
-  return Writer(recording).run(*samples);
+  return AcmiWriter(recording).run(*samples);
 }
 
 }  // namespace npsee

@@ -56,9 +56,9 @@ constexpr EntityType kShellType{2, 9, kUnitedStates, 2, 0};  // munition, battle
 std::uint8_t forceOf(Side side) { return side == Side::friendly ? 1 : side == Side::hostile ? 2 : 3; }
 
 /// Big-endian fields in order.
-class Writer {
+class PduWriter {
  public:
-  Writer(Type type, Family family, double t_s) {
+  PduWriter(Type type, Family family, double t_s) {
     u8(kVersion), u8(kExercise), u8(static_cast<std::uint8_t>(type)), u8(static_cast<std::uint8_t>(family));
     u32(timestamp(t_s));
     u16(0), u16(0);  // length, filled in at the end, and padding
@@ -140,7 +140,7 @@ class Exporter {
 
   std::vector<std::uint8_t> entityState(const Sample& s) const {
     const auto i = static_cast<std::size_t>(s.index);
-    Writer out(Type::entity_state, Family::entity_information, s.t_s);
+    PduWriter out(Type::entity_state, Family::entity_information, s.t_s);
     Side side = Side::friendly;
     EntityType type = kGunType;
     std::string marking;
@@ -191,14 +191,14 @@ class Exporter {
     return (damage->mobility ? 0u : 2u) | (damage->firepower ? 0u : 4u) | grade << 3;
   }
 
-  void head(Writer& out, const ShellRecord& shell) const {
+  void head(PduWriter& out, const ShellRecord& shell) const {
     out.id(shooterId(shell));
     out.id(vehicleId(shell.target));
     out.id(munitionId(shell));
     out.u16(kSite), out.u16(kApplication), out.u16(eventId(shell));
   }
   /// Warhead: 1000 high explosive, 2000 smoke, 3000 illumination; fuse: 1000 contact, 2000 timed.
-  static void descriptor(Writer& out, const ShellRecord& shell) {
+  static void descriptor(PduWriter& out, const ShellRecord& shell) {
     out.type(kShellType);
     out.u16(shell.smoke ? 2000 : shell.illumination ? 3000 : 1000);
     out.u16(shell.illumination ? 2000 : 1000);
@@ -206,7 +206,7 @@ class Exporter {
   }
 
   std::vector<std::uint8_t> fire(const ShellRecord& shell) const {
-    Writer out(Type::fire, Family::warfare, shell.fired_s);
+    PduWriter out(Type::fire, Family::warfare, shell.fired_s);
     head(out, shell);
     out.u32(static_cast<std::uint32_t>(std::max(0, shell.mission)));
     out.place(placeOf(shell.at(shell.fired_s)));
@@ -218,7 +218,7 @@ class Exporter {
   }
 
   std::vector<std::uint8_t> detonation(const ShellRecord& shell) const {
-    Writer out(Type::detonation, Family::warfare, shell.burst_s);
+    PduWriter out(Type::detonation, Family::warfare, shell.burst_s);
     head(out, shell);
     out.velocity(geocentric(shell.velocityAt(shell.burst_s)));
     out.place(placeOf(shell.burst_m));

@@ -6,7 +6,6 @@
 namespace npsee::world {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 /// A follower looks at the vehicle ahead once a second; a person's vehicle looks ahead twice.
 constexpr double kFollowEvery_s = 1.0, kPersonEvery_s = 0.5;
 /// A retreat goes this far at most, and this far at least if it can, m.

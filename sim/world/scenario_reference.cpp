@@ -139,7 +139,7 @@ ordered_json structSchema(const Struct& table) {
   return out;
 }
 
-std::string asSchema() {
+std::string missionSchema() {
   ordered_json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "npsee mission"}};
   out.update(structSchema(missionTable()));
   out["properties"]["npsee_mission"] = {{"const", 1}};
@@ -177,7 +177,7 @@ Expected<std::string> missionReference(ReferenceFormat format, std::string_view 
     case ReferenceFormat::text: return asText(parts);
     case ReferenceFormat::markdown: return asMarkdown(parts);
     case ReferenceFormat::json: return asJson(parts);
-    case ReferenceFormat::json_schema: return asSchema();
+    case ReferenceFormat::json_schema: return missionSchema();
   }
   return std::string();
 }

@@ -8,6 +8,8 @@
 namespace npsee {
 
 inline constexpr double kPi = 3.14159265358979323846;
+/// Radians of one degree.
+inline constexpr double kDegree = kPi / 180.0;
 inline constexpr double kTwoPi = 2.0 * kPi;
 
 /// Standard acceleration of free fall, m/s^2. Source: 3rd CGPM, 1901.
