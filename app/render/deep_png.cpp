@@ -1,7 +1,7 @@
 #include "app/render/deep_image.h"
-#include "app/render/png_glue.h"
 
 #include "sim/core/files.h"
+#include "sim/core/png_glue.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,8 +9,6 @@
 
 namespace npsee::render {
 namespace {
-
-using namespace png_glue;
 
 /// Longest side that is read, pixels.
 constexpr png_uint_32 kMaxSide = 65'536;
@@ -95,21 +93,11 @@ Expected<DeepImage> parseDeepPng(std::string_view text, const std::string& name)
   const auto refuse = [&](const std::string& why) {
     return fail(ErrorKind::input, {.what = "is no picture that can be read: " + why + ".", .remedy = "Name a PNG file.", .file = name, .line = 0, .pointer = {}});
   };
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  if (text.size() < 8 || png_sig_cmp(bytes, 0, 8) != 0) return refuse("it is not a PNG file");
-  Complaint complaint;
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (!png_glue::isPng(text)) return refuse("it is not a PNG file");
+  const png_glue::Reading reading(text);
   DeepImage image;
   std::vector<png_bytep> rows;
-  Input input{bytes, text.size()};
-  bool done = false;
-  if (info != nullptr) {
-    png_set_read_fn(png, &input, take);
-    done = decodeRows(png, info, text.size(), image, rows);
-  }
-  png_destroy_read_struct(&png, &info, nullptr);
-  if (!done) return refuse(complaint.text);
+  if (!reading || !decodeRows(reading.png(), reading.info(), text.size(), image, rows)) return refuse(reading.complaint());
   return image;
 }
 
@@ -122,18 +110,11 @@ Expected<DeepImage> readDeepPng(const std::filesystem::path& path) {
 Expected<std::vector<std::uint8_t>> encodeDeepPng(const DeepImage& image) {
   const std::size_t values = static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0)) * 4;
   if (values == 0 || image.rgba.size() != values) return fail(ErrorKind::output, "an empty picture cannot be written as PNG.");
-  Complaint complaint;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   std::vector<std::uint8_t> out;
   std::vector<std::uint16_t> row(static_cast<std::size_t>(image.width) * 3);
-  bool done = false;
-  if (info != nullptr) {
-    png_set_write_fn(png, &out, append, flushNothing);
-    done = encodeRows(png, info, image, row);
-  }
-  png_destroy_write_struct(&png, &info);
-  if (!done) return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + complaint.text + ".");
+  const png_glue::Writing writing(out);
+  if (!writing || !encodeRows(writing.png(), writing.info(), image, row))
+    return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + writing.complaint() + ".");
   return out;
 }
 

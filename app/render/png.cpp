@@ -1,14 +1,12 @@
 #include "app/render/image.h"
 
 #include "sim/core/files.h"
+#include "sim/core/png_glue.h"
 
-#include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string>
 
 namespace npsee::render {
@@ -20,36 +18,6 @@ constexpr int kDeflateLevel = 1, kDeflateStrategy = Z_RLE, kRowFilter = PNG_FILT
 /// Largest picture read, pixels on a side and in all: a header may claim anything.
 constexpr png_uint_32 kMaxReadSide = 16384;
 constexpr std::size_t kMaxReadPixels = 100'000'000;
-
-/// libpng reports through callbacks and longjmp; the message is kept for the error.
-struct Complaint {
-  char text[200] = {};
-};
-
-void complain(png_structp png, png_const_charp text) {
-  auto* complaint = static_cast<Complaint*>(png_get_error_ptr(png));
-  std::snprintf(complaint->text, sizeof complaint->text, "%s", text);
-  png_longjmp(png, 1);
-}
-void ignoreWarning(png_structp, png_const_charp) {}
-
-void append(png_structp png, png_bytep data, png_size_t size) {
-  auto* out = static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
-  out->insert(out->end(), data, data + size);
-}
-void flushNothing(png_structp) {}
-
-struct Input {
-  const std::uint8_t* at;
-  std::size_t left;
-};
-void take(png_structp png, png_bytep data, png_size_t size) {
-  auto* input = static_cast<Input*>(png_get_io_ptr(png));
-  if (size > input->left) png_error(png, "it ends too early");
-  std::memcpy(data, input->at, size);
-  input->at += size;
-  input->left -= size;
-}
 
 bool opaque(const Image& image) {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4)
@@ -110,19 +78,12 @@ bool decodeRows(png_structp png, png_infop info, Image& image, std::vector<png_b
 Expected<std::vector<std::uint8_t>> encodePng(const Image& image) {
   const std::size_t bytes = static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0)) * 4;
   if (bytes == 0 || image.rgba.size() != bytes) return fail(ErrorKind::output, "an empty picture cannot be written as PNG.");
-  Complaint complaint;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   std::vector<std::uint8_t> out;
   out.reserve(bytes / 4);
   std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
-  bool done = false;
-  if (info != nullptr) {
-    png_set_write_fn(png, &out, append, flushNothing);
-    done = encodeRows(png, info, image, !opaque(image), row);
-  }
-  png_destroy_write_struct(&png, &info);
-  if (!done) return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + complaint.text + ".");
+  const png_glue::Writing writing(out);
+  if (!writing || !encodeRows(writing.png(), writing.info(), image, !opaque(image), row))
+    return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + writing.complaint() + ".");
   return out;
 }
 
@@ -138,21 +99,11 @@ Expected<Image> readPng(const std::filesystem::path& path) {
   };
   const auto text = readTextFile(path, 256u << 20);
   if (!text) return tl::unexpected<Error>(text.error());
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text->data());
-  if (text->size() < 8 || png_sig_cmp(bytes, 0, 8) != 0) return refuse("it is not a PNG file");
-  Complaint complaint;
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (!png_glue::isPng(*text)) return refuse("it is not a PNG file");
+  const png_glue::Reading reading(*text);
   Image image;
   std::vector<png_bytep> rows;
-  Input input{bytes, text->size()};
-  bool done = false;
-  if (info != nullptr) {
-    png_set_read_fn(png, &input, take);
-    done = decodeRows(png, info, image, rows);
-  }
-  png_destroy_read_struct(&png, &info, nullptr);
-  if (!done) return refuse(complaint.text);
+  if (!reading || !decodeRows(reading.png(), reading.info(), image, rows)) return refuse(reading.complaint());
   return image;
 }
 

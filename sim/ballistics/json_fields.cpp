@@ -24,9 +24,7 @@ void Fields::fault(const std::string& pointer, std::string what, std::string rem
 }
 
 void Fields::wrongType(const std::string& pointer, std::string_view wanted) {
-  std::string shown = at(pointer).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
-  fault(pointer, "this is " + shown + ", but must be " + std::string(wanted) + '.');
+  fault(pointer, "this is " + shownJson(at(pointer)) + ", but must be " + std::string(wanted) + '.');
 }
 
 bool Fields::missing(const std::string& pointer, bool required) {

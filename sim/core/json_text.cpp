@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 namespace npsee {
 namespace {
@@ -220,6 +220,26 @@ std::string_view jsonTypeName(const ordered_json& value) {
   if (value.is_string()) return "a text";
   if (value.is_array()) return "a list";
   return "an object";
+}
+
+std::string shownJson(const ordered_json& value) {
+  constexpr std::size_t kLongest = 60;
+  const std::string shown = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  if (shown.size() <= kLongest) return shown;
+  // Not in the middle of a letter.
+  std::size_t end = kLongest - 3;
+  while ((static_cast<unsigned char>(shown[end]) & 0xc0) == 0x80) --end;
+  return shown.substr(0, end) + "...";
+}
+
+std::optional<std::int64_t> wholeNumber(const ordered_json& value) {
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX)) return std::nullopt;
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  // 100.0 is a whole number too; 2^53 keeps the conversion exact.
+  const double number = value.get<double>();
+  if (number != std::floor(number) || std::fabs(number) > 9007199254740992.0) return std::nullopt;
+  return static_cast<std::int64_t>(number);
 }
 
 }  // namespace npsee

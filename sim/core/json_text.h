@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,5 +51,12 @@ std::string pointerToken(std::string_view key);
 
 /// "number", "text", "true or false", ... for messages.
 std::string_view jsonTypeName(const nlohmann::ordered_json& value);
+
+/// A value as messages show it, cut to 60 characters.
+std::string shownJson(const nlohmann::ordered_json& value);
+
+/// The whole number that a value is, 100.0 as well as 100; nothing for other values and those beyond 64 bits (with a decimal point
+/// beyond 2^53).
+std::optional<std::int64_t> wholeNumber(const nlohmann::ordered_json& value);
 
 }  // namespace npsee

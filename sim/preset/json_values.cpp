@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace npsee {
 namespace {
 
@@ -24,16 +22,6 @@ std::string_view wanted(ParameterType type) {
     case ParameterType::gradient: return "a list of stops [fraction of life, colour]";
   }
   return "";
-}
-
-std::optional<std::int64_t> wholeNumber(const ordered_json& json) {
-  if (json.is_number_unsigned() && json.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX)) return std::nullopt;
-  if (json.is_number_integer()) return json.get<std::int64_t>();
-  if (!json.is_number_float()) return std::nullopt;
-  // 100.0 is a whole number too; 2^53 keeps the conversion exact.
-  const double number = json.get<double>();
-  if (number != std::floor(number) || std::fabs(number) > 9007199254740992.0) return std::nullopt;
-  return static_cast<std::int64_t>(number);
 }
 
 std::optional<Vec3> triple(const ordered_json& json) {
@@ -102,9 +90,7 @@ std::optional<Value> valueFromJson(const Parameter& row, const JsonText& json, c
   const std::string remedy = "`npsee params " + std::string(row.key) + "` says what it does.";
   const auto value = convert(row, found);
   if (!value) {
-    std::string shown = found.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
-    faults.push_back(json.fault(pointer, std::string(row.key) + " is " + shown + ", but must be " + std::string(wanted(row.type)) + ".", remedy));
+    faults.push_back(json.fault(pointer, std::string(row.key) + " is " + shownJson(found) + ", but must be " + std::string(wanted(row.type)) + ".", remedy));
     return std::nullopt;
   }
   if (std::string wrong = checkValue(row, *value); !wrong.empty()) {

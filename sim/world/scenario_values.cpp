@@ -100,16 +100,6 @@ std::string_view wanted(FieldType type) {
   return "";
 }
 
-std::optional<std::int64_t> wholeNumber(const ordered_json& json) {
-  if (json.is_number_unsigned() && json.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX)) return std::nullopt;
-  if (json.is_number_integer()) return json.get<std::int64_t>();
-  if (!json.is_number_float()) return std::nullopt;
-  // 100.0 is a whole number too; 2^53 keeps the conversion exact.
-  const double number = json.get<double>();
-  if (number != std::floor(number) || std::fabs(number) > 9007199254740992.0) return std::nullopt;
-  return static_cast<std::int64_t>(number);
-}
-
 bool numbers(const ordered_json& json, std::size_t count) {
   return json.is_array() && json.size() == count && std::ranges::all_of(json, [](const ordered_json& part) { return part.is_number(); });
 }
@@ -409,12 +399,6 @@ ordered_json fieldToJson(const Field& field, const FieldValue& value) {
 }
 
 std::string fieldRemedy(const Field& field) { return "`npsee params --missions " + std::string(field.key) + "` says what it does."; }
-
-std::string shownJson(const ordered_json& value) {
-  std::string shown = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
-  return shown;
-}
 
 ordered_json tidyNumber(double value) {
   if (value == std::floor(value) && std::fabs(value) < 1e15) return static_cast<std::int64_t>(value);

@@ -19,9 +19,6 @@ nlohmann::ordered_json fieldToJson(const Field& field, const FieldValue& value);
 /// Where to read more, for messages.
 std::string fieldRemedy(const Field& field);
 
-/// A JSON value as messages show it, cut to 60 characters.
-std::string shownJson(const nlohmann::ordered_json& value);
-
 /// A number as JSON, without a decimal point where it is whole.
 nlohmann::ordered_json tidyNumber(double value);
 

@@ -2,46 +2,21 @@
 
 #include "sim/core/files.h"
 #include "sim/core/json_text.h"
+#include "sim/core/png_glue.h"
 #include "sim/core/text.h"
 
 #include <nlohmann/json.hpp>
-#include <png.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
+#include <map>
 
 namespace npsee::world {
 namespace {
 
 using nlohmann::ordered_json;
 
-// ---- the picture: libpng reports through callbacks and longjmp
-
-struct Complaint {
-  char text[200] = {};
-};
-
-[[noreturn]] void complain(png_structp png, png_const_charp text) {
-  auto* complaint = static_cast<Complaint*>(png_get_error_ptr(png));
-  std::snprintf(complaint->text, sizeof complaint->text, "%s", text);
-  png_longjmp(png, 1);
-}
-void ignoreWarning(png_structp, png_const_charp) {}
-
-struct Input {
-  const unsigned char* at;
-  std::size_t left;
-};
-
-void take(png_structp png, png_bytep data, png_size_t size) {
-  auto* input = static_cast<Input*>(png_get_io_ptr(png));
-  if (size > input->left) png_error(png, "it ends too early");
-  std::memcpy(data, input->at, size);
-  input->at += size;
-  input->left -= size;
-}
+// ---- the picture
 
 struct Picture {
   int columns = 0, rows = 0;
@@ -75,21 +50,11 @@ tl::unexpected<Error> noTerrain(const std::filesystem::path& file, const std::st
 Expected<Picture> readPicture(const std::filesystem::path& file) {
   const auto text = readTextFile(file, Terrain::kMaxSamples * 3);
   if (!text) return tl::unexpected<Error>(text.error());
-  const auto* bytes = reinterpret_cast<const unsigned char*>(text->data());
-  if (text->size() < 8 || png_sig_cmp(bytes, 0, 8) != 0) return noTerrain(file, "it is not a PNG file");
-  Complaint complaint;
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignoreWarning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (!png_glue::isPng(*text)) return noTerrain(file, "it is not a PNG file");
+  const png_glue::Reading reading(*text);
   Picture picture;
   std::vector<png_bytep> rows;
-  Input input{bytes, text->size()};
-  bool done = false;
-  if (info != nullptr) {
-    png_set_read_fn(png, &input, take);
-    done = decode(png, info, picture, rows);
-  }
-  png_destroy_read_struct(&png, &info, nullptr);
-  if (!done) return noTerrain(file, complaint.text);
+  if (!reading || !decode(reading.png(), reading.info(), picture, rows)) return noTerrain(file, reading.complaint());
   return picture;
 }
 

@@ -62,5 +62,21 @@ TEST(JsonText, RefusesAKeyGivenTwiceWithBothItsPlaceAndPointer) {
   EXPECT_TRUE(json.error().text().starts_with("f:3: /b/c: is given twice.")) << json.error().text();
 }
 
+TEST(JsonText, AWholeNumberIsReadExactlyOrNotAtAll) {
+  const auto whole = [](const char* text) { return wholeNumber(nlohmann::ordered_json::parse(text)); };
+  EXPECT_EQ(whole("100"), 100);
+  EXPECT_EQ(whole("-100.0"), -100);
+  EXPECT_EQ(whole("9223372036854775807"), INT64_MAX);
+  EXPECT_EQ(whole("9007199254740992.0"), std::int64_t{1} << 53);
+  for (const char* none : {"9223372036854775808", "9007199254740994.0", "1e300", "0.5", "\"1\"", "true", "null", "[1]"}) EXPECT_EQ(whole(none), std::nullopt) << none;
+}
+
+TEST(JsonText, ALongValueIsShownCutBetweenLetters) {
+  EXPECT_EQ(shownJson(nlohmann::ordered_json::parse(R"({"a": [1, 2]})")), R"({"a":[1,2]})");
+  EXPECT_EQ(shownJson(std::string(58, 'x')), '"' + std::string(58, 'x') + '"');
+  EXPECT_EQ(shownJson(std::string(59, 'x')), '"' + std::string(56, 'x') + "...");
+  EXPECT_EQ(shownJson(std::string(55, 'x') + "\xc2\xb0" + std::string(9, 'x')), '"' + std::string(55, 'x') + "...");
+}
+
 }  // namespace
 }  // namespace npsee
