@@ -96,6 +96,13 @@ Expected<Program> Program::fromFiles(std::string_view vertex_file, std::string_v
   return out;
 }
 
+Expected<void> Program::load(std::string_view vertex_file, std::string_view fragment_file) {
+  auto program = fromFiles(vertex_file, fragment_file);
+  if (!program) return tl::unexpected<Error>(program.error());
+  *this = std::move(*program);
+  return {};
+}
+
 Program::~Program() {
   if (name_ != 0) glDeleteProgram(name_);
 }

@@ -16,6 +16,8 @@ class Program {
   /// Compiles and links embedded shader files (`shaders/NAME`). A line `#include "file.glsl"` is replaced by that file.
   /// Error kind graphics with the driver's log.
   static Expected<Program> fromFiles(std::string_view vertex_file, std::string_view fragment_file);
+  /// The same into this object.
+  Expected<void> load(std::string_view vertex_file, std::string_view fragment_file);
 
   ~Program();
   Program(Program&& other) noexcept;

@@ -12,13 +12,7 @@ float linearFromSrgb(double c) { return static_cast<float>(c <= 0.04045 ? c / 12
 
 Expected<FinishPass> FinishPass::create() {
   FinishPass pass;
-  const auto load = [](gl::Program& slot, const char* fragment_file) -> Expected<void> {
-    auto program = gl::Program::fromFiles("tiles.vert", fragment_file);
-    if (!program) return tl::unexpected<Error>(program.error());
-    slot = std::move(*program);
-    return {};
-  };
-  for (const auto& loaded : {load(pass.clear_, "clear.frag"), load(pass.single_, "finish.frag"), load(pass.smooth_, "finish_smooth.frag")})
+  for (const auto& loaded : {pass.clear_.load("tiles.vert", "clear.frag"), pass.single_.load("tiles.vert", "finish.frag"), pass.smooth_.load("tiles.vert", "finish_smooth.frag")})
     if (!loaded) return tl::unexpected<Error>(loaded.error());
   return pass;
 }

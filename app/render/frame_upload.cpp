@@ -1,5 +1,7 @@
 #include "app/render/frame_upload.h"
 
+#include "app/gl/vertices.h"
+
 #include <array>
 #include <cstddef>
 
@@ -7,12 +9,6 @@ namespace npsee::render {
 namespace {
 
 constexpr std::size_t kSections = 12;
-
-void instanceAttribute(unsigned location, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, 1, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(location, 1);
-}
 
 }  // namespace
 
@@ -33,7 +29,7 @@ void FrameUpload::bind(std::size_t first, bool with_orientation, std::size_t eve
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const std::size_t sections = with_orientation ? kSections : std::size_t{kQx};
   for (std::size_t section = 0; section < sections; ++section)
-    instanceAttribute(static_cast<unsigned>(section), every * sizeof(float), (section * count_ + first) * sizeof(float));
+    gl::attribute(static_cast<unsigned>(section), 1, every * sizeof(float), (section * count_ + first) * sizeof(float), 1);
 }
 
 void BlendedUpload::upload(std::span<const BlendedInstance> instances) {
@@ -45,8 +41,8 @@ void BlendedUpload::upload(std::span<const BlendedInstance> instances) {
 void BlendedUpload::bind(std::size_t first) const {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const std::size_t base = first * sizeof(BlendedInstance);
-  for (unsigned location = kX; location <= kQw; ++location) instanceAttribute(location, sizeof(BlendedInstance), base + location * sizeof(float));
-  instanceAttribute(kKind, sizeof(BlendedInstance), base + offsetof(BlendedInstance, kind));
+  for (unsigned location = kX; location <= kQw; ++location) gl::attribute(location, 1, sizeof(BlendedInstance), base + location * sizeof(float), 1);
+  gl::attribute(kKind, 1, sizeof(BlendedInstance), base + offsetof(BlendedInstance, kind), 1);
 }
 
 }  // namespace npsee::render

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/mission_scene.h"
-#include "app/render/overlay_pass.h"
+#include "app/render/world_strokes.h"
 
 #include <npsee/weapons.h>
 

@@ -7,6 +7,7 @@
 #include "app/render/mission_smoke.h"
 #include "app/render/model_pass.h"
 #include "app/render/overlay_pass.h"
+#include "app/render/stroke_pass.h"
 #include "app/render/terrain_pass.h"
 #include "sim/world/scenario_files.h"
 
@@ -65,6 +66,7 @@ struct MissionScene::Impl {
     TerrainPass terrain;
     ModelPass models;
     OverlayPass overlay;
+    StrokePass strokes;
     GroundPicture kept;
   };
   std::unique_ptr<Passes> passes;
@@ -97,6 +99,7 @@ Expected<void> MissionScene::Impl::makePasses() {
   if (auto done = take(TerrainPass::create(), made->terrain); !done) return done;
   if (auto done = take(ModelPass::create(), made->models); !done) return done;
   if (auto done = take(OverlayPass::create(), made->overlay); !done) return done;
+  if (auto done = take(StrokePass::create(), made->strokes); !done) return done;
   made->nothing = gl::VertexArray::make();
   passes = std::move(made);
   return {};
@@ -153,14 +156,14 @@ void MissionScene::Impl::drawOverlays(const Recording& recording, double time_s,
   const OverlayDrawing overlays = overlaysOf(recording, time_s, view, eye, marksOf(recording, time_s, view, eye), weapons);
   strokes.clear();
   addStrokes(overlays.ground, eye, strokes);
-  passes->overlay.drawStrokes(strokes, false);
+  passes->strokes.draw(strokes, StrokePass::Hiding::by_depth);
   strokes.clear();
   addStrokes(overlays.screen, eye.width, eye.height, strokes);
   if (eye.reticle) {
     addStrokes(reticleOf(eye, view.camera.field_mil, night), eye.width, eye.height, strokes);
     passes->overlay.drawMask(eye.width, eye.height, circleRadius(eye));
   }
-  passes->overlay.drawStrokes(strokes, true);
+  passes->strokes.draw(strokes, StrokePass::Hiding::none);
 }
 
 Expected<std::unique_ptr<MissionScene>> MissionScene::make(const Recording& recording) {

@@ -1,5 +1,7 @@
 #include "app/render/model_pass.h"
 
+#include "app/gl/vertices.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,12 +20,6 @@ Axes turned(const Axes& axes, double turn_rad, double raise_rad) {
   const Vec3 back = c * axes.back - s * axes.right;
   const double cr = std::cos(raise_rad), sr = std::sin(raise_rad);
   return {right, cr * axes.up + sr * back, cr * back - sr * axes.up};
-}
-
-void floats(unsigned location, int components, std::size_t stride, std::size_t offset, unsigned divisor) {
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(location, divisor);
 }
 
 }  // namespace
@@ -45,13 +41,12 @@ Expected<ModelPass> ModelPass::create() {
   pass.vertices_ = gl::Buffer::make();
   pass.instances_ = gl::Buffer::make();
   glBindVertexArray(pass.attributes_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(Model::Vertex)), all.data(), GL_STATIC_DRAW);
+  gl::upload(GL_ARRAY_BUFFER, pass.vertices_, all, GL_STATIC_DRAW);
   using Vertex = Model::Vertex;
-  floats(0, 3, sizeof(Vertex), offsetof(Vertex, position), 0);
-  floats(1, 3, sizeof(Vertex), offsetof(Vertex, normal), 0);
-  floats(2, 3, sizeof(Vertex), offsetof(Vertex, colour), 0);
-  floats(3, 1, sizeof(Vertex), offsetof(Vertex, paint), 0);
+  gl::attribute(0, 3, sizeof(Vertex), offsetof(Vertex, position));
+  gl::attribute(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
+  gl::attribute(2, 3, sizeof(Vertex), offsetof(Vertex, colour));
+  gl::attribute(3, 1, sizeof(Vertex), offsetof(Vertex, paint));
   return pass;
 }
 
@@ -102,11 +97,10 @@ void ModelPass::draw(const std::vector<ModelInstance>& instances, const Vec3& ey
       for (const ModelInstance& instance : instances)
         if (instance.model == m) scratch_.push_back(placed(instance, part, eye));
       if (scratch_.empty()) break;
-      glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
-      glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(scratch_.size() * sizeof(Placed)), scratch_.data(), GL_STREAM_DRAW);
-      for (unsigned row = 0; row < 3; ++row) floats(4 + row, 4, sizeof(Placed), offsetof(Placed, rows) + row * 4 * sizeof(float), 1);
-      floats(7, 4, sizeof(Placed), offsetof(Placed, body), 1);
-      floats(8, 4, sizeof(Placed), offsetof(Placed, accent), 1);
+      gl::upload(GL_ARRAY_BUFFER, instances_, scratch_, GL_STREAM_DRAW);
+      for (unsigned row = 0; row < 3; ++row) gl::attribute(4 + row, 4, sizeof(Placed), offsetof(Placed, rows) + row * 4 * sizeof(float), 1);
+      gl::attribute(7, 4, sizeof(Placed), offsetof(Placed, body), 1);
+      gl::attribute(8, 4, sizeof(Placed), offsetof(Placed, accent), 1);
       glDrawArraysInstanced(GL_TRIANGLES, static_cast<GLint>(first_[m] + part.first), static_cast<GLsizei>(part.count), static_cast<GLsizei>(scratch_.size()));
     }
 }

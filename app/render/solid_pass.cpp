@@ -1,19 +1,17 @@
 #include "app/render/solid_pass.h"
 
+#include "app/gl/vertices.h"
+
 #include <string>
 
 namespace npsee::render {
 namespace {
 
 void uploadMesh(const Mesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices) {
-  glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Mesh::Vertex)), mesh.vertices.data(), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(kMeshPosition);
-  glVertexAttribPointer(kMeshPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Mesh::Vertex), reinterpret_cast<const void*>(offsetof(Mesh::Vertex, position)));
-  glEnableVertexAttribArray(kMeshNormal);
-  glVertexAttribPointer(kMeshNormal, 3, GL_FLOAT, GL_FALSE, sizeof(Mesh::Vertex), reinterpret_cast<const void*>(offsetof(Mesh::Vertex, normal)));
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint16_t)), mesh.indices.data(), GL_STATIC_DRAW);
+  gl::upload(GL_ARRAY_BUFFER, vertices, mesh.vertices, GL_STATIC_DRAW);
+  gl::attribute(kMeshPosition, 3, sizeof(Mesh::Vertex), offsetof(Mesh::Vertex, position));
+  gl::attribute(kMeshNormal, 3, sizeof(Mesh::Vertex), offsetof(Mesh::Vertex, normal));
+  gl::upload(GL_ELEMENT_ARRAY_BUFFER, indices, mesh.indices, GL_STATIC_DRAW);
 }
 
 void drawInstances(const Mesh& mesh, std::size_t count) {

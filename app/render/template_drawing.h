@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/renderer.h"
+#include "app/render/strokes.h"
 #include "app/render/template_camera.h"
 #include "app/render/template_geometry.h"
 
@@ -17,15 +18,6 @@ struct TemplateMesh {
   };
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> triangles;
-};
-
-/// How a line or a dot is drawn. Behind the surface its opacity is multiplied by `hidden`.
-struct StrokeStyle {
-  Colour colour;
-  double width_px = 1.5;  ///< of a line, or diameter of a dot
-  double opacity = 1.0;
-  double hidden = 0.3;
-  double dash_px = 0.0;   ///< length of dashes and gaps; 0 = unbroken
 };
 
 /// Polyline in template space; the last point is the first again where it is closed. One point alone is a dot.
@@ -62,16 +54,6 @@ TemplateMesh flatMesh(const nurbs::Surface& surface, int around, int along);
 inline constexpr int kFacetsAround = 24, kFacetsAlong = 10;
 
 TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene, const TemplateCamera& camera);
-
-/// A stroke's corner, ready for the screen: expanded to its width, so that GL draws triangles only.
-struct StrokeVertex {
-  std::array<float, 4> clip;
-  std::array<float, 2> offset;   ///< pixels from the middle of the line (0, across) or of the dot
-  float half_width = 0.0f;       ///< pixels
-  float dash_px = 0.0f, along_px = 0.0f;
-  std::array<float, 4> colour;   ///< sRGB-coded, opacity
-  float hidden = 0.0f;
-};
 
 /// Triangles (three vertices each) of all strokes in a picture of the given size.
 std::vector<StrokeVertex> strokeTriangles(const std::vector<Stroke>& strokes, const TemplateCamera& camera, int width, int height);

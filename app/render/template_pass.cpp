@@ -1,5 +1,7 @@
 #include "app/render/template_pass.h"
 
+#include "app/gl/vertices.h"
+
 #include <cstddef>
 
 namespace npsee::render {
@@ -8,17 +10,6 @@ namespace {
 /// A little under the shapes' feet, which would flicker through it.
 constexpr double kGroundLevel = -0.006;
 constexpr double kGroundReach = 1.7;
-
-void attribute(unsigned location, int components, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
-}
-
-template <class Item>
-void fill(GLenum target, const gl::Buffer& buffer, const std::vector<Item>& items) {
-  glBindBuffer(target, buffer.name());
-  glBufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STREAM_DRAW);
-}
 
 void setVector(const gl::Program& program, const char* uniform, const Vec3& v) {
   program.set(uniform, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
@@ -37,15 +28,11 @@ void setCamera(const gl::Program& program, const TemplateCamera& camera) {
 
 Expected<TemplatePass> TemplatePass::create() {
   TemplatePass pass;
-  const auto load = [](gl::Program& slot, const char* vertex, const char* fragment) -> Expected<void> {
-    auto program = gl::Program::fromFiles(vertex, fragment);
-    if (!program) return tl::unexpected<Error>(program.error());
-    slot = std::move(*program);
-    return {};
-  };
-  for (const auto& loaded : {load(pass.mesh_, "template_mesh.vert", "template_mesh.frag"), load(pass.ground_, "template_ground.vert", "template_ground.frag"),
-                             load(pass.stroke_, "template_stroke.vert", "template_stroke.frag")})
+  for (const auto& loaded : {pass.mesh_.load("template_mesh.vert", "template_mesh.frag"), pass.ground_.load("template_ground.vert", "template_ground.frag")})
     if (!loaded) return tl::unexpected<Error>(loaded.error());
+  auto strokes = StrokePass::create();
+  if (!strokes) return tl::unexpected<Error>(strokes.error());
+  pass.strokes_ = std::move(*strokes);
 
   pass.nothing_ = gl::VertexArray::make();
   pass.mesh_attributes_ = gl::VertexArray::make();
@@ -55,19 +42,8 @@ Expected<TemplatePass> TemplatePass::create() {
   glBindBuffer(GL_ARRAY_BUFFER, pass.mesh_vertices_.name());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, pass.mesh_indices_.name());
   using Vertex = TemplateMesh::Vertex;
-  attribute(0, 3, sizeof(Vertex), offsetof(Vertex, position));
-  attribute(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
-
-  pass.stroke_attributes_ = gl::VertexArray::make();
-  pass.stroke_vertices_ = gl::Buffer::make();
-  glBindVertexArray(pass.stroke_attributes_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, pass.stroke_vertices_.name());
-  attribute(0, 4, sizeof(StrokeVertex), offsetof(StrokeVertex, clip));
-  attribute(1, 2, sizeof(StrokeVertex), offsetof(StrokeVertex, offset));
-  attribute(2, 1, sizeof(StrokeVertex), offsetof(StrokeVertex, half_width));
-  attribute(3, 2, sizeof(StrokeVertex), offsetof(StrokeVertex, dash_px));
-  attribute(4, 4, sizeof(StrokeVertex), offsetof(StrokeVertex, colour));
-  attribute(5, 1, sizeof(StrokeVertex), offsetof(StrokeVertex, hidden));
+  gl::attribute(0, 3, sizeof(Vertex), offsetof(Vertex, position));
+  gl::attribute(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
   glBindVertexArray(0);
   return pass;
 }
@@ -82,9 +58,9 @@ const Colour* TemplatePass::background(const TemplateScene& scene) {
 }
 
 void TemplatePass::drawMesh(const TemplateDrawing& drawing, const TemplateCamera& camera) const {
-  fill(GL_ARRAY_BUFFER, mesh_vertices_, drawing.mesh.vertices);
+  gl::upload(GL_ARRAY_BUFFER, mesh_vertices_, drawing.mesh.vertices, GL_STREAM_DRAW);
   glBindVertexArray(mesh_attributes_.name());
-  fill(GL_ELEMENT_ARRAY_BUFFER, mesh_indices_, drawing.mesh.triangles);
+  gl::upload(GL_ELEMENT_ARRAY_BUFFER, mesh_indices_, drawing.mesh.triangles, GL_STREAM_DRAW);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);
@@ -122,27 +98,6 @@ void TemplatePass::drawGround(const TemplateDrawing& drawing, const TemplateCame
   glDepthMask(GL_TRUE);
 }
 
-void TemplatePass::drawStrokes(const TemplateDrawing& drawing, const TemplateCamera& camera, int width, int height) const {
-  const std::vector<StrokeVertex> vertices = strokeTriangles(drawing.strokes, camera, width, height);
-  fill(GL_ARRAY_BUFFER, stroke_vertices_, vertices);
-  glBindVertexArray(stroke_attributes_.name());
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
-  stroke_.use();
-  // The surface's depth divides each stroke into what lies behind it and what does not.
-  for (const bool behind : {true, false}) {
-    glDepthFunc(behind ? GL_GREATER : GL_LEQUAL);
-    stroke_.set("u_behind", behind ? 1.0f : 0.0f);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
-  }
-  glDepthMask(GL_TRUE);
-  glBindVertexArray(0);
-}
-
 void TemplatePass::draw(const TemplateScene& scene, int width, int height) {
   const TemplateShape shape = templateShape(*scene.preset, scene.layer);
   const TemplateCamera camera(shape, scene.yaw_rad, scene.pitch_rad, width, height);
@@ -151,7 +106,7 @@ void TemplatePass::draw(const TemplateScene& scene, int width, int height) {
   if (!drawing.mesh_visible) drawGround(drawing, camera);
   drawMesh(drawing, camera);
   if (drawing.mesh_visible) drawGround(drawing, camera);
-  drawStrokes(drawing, camera, width, height);
+  strokes_.draw(strokeTriangles(drawing.strokes, camera, width, height), StrokePass::Hiding::by_depth);
 }
 
 }  // namespace npsee::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/gl/program.h"
+#include "app/render/stroke_pass.h"
 #include "app/render/template_drawing.h"
 
 namespace npsee::render {
@@ -21,11 +22,11 @@ class TemplatePass {
  private:
   void drawMesh(const TemplateDrawing& drawing, const TemplateCamera& camera) const;
   void drawGround(const TemplateDrawing& drawing, const TemplateCamera& camera) const;
-  void drawStrokes(const TemplateDrawing& drawing, const TemplateCamera& camera, int width, int height) const;
 
-  gl::Program mesh_, ground_, stroke_;
-  gl::VertexArray mesh_attributes_, stroke_attributes_, nothing_;
-  gl::Buffer mesh_vertices_, mesh_indices_, stroke_vertices_;
+  gl::Program mesh_, ground_;
+  StrokePass strokes_;
+  gl::VertexArray mesh_attributes_, nothing_;
+  gl::Buffer mesh_vertices_, mesh_indices_;
 };
 
 }  // namespace npsee::render

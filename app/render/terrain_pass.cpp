@@ -1,5 +1,7 @@
 #include "app/render/terrain_pass.h"
 
+#include "app/gl/vertices.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -49,10 +51,8 @@ TerrainFrustum frustumOf(const Vec3& eye, const View& view, int width, int heigh
 }
 
 void cornerAttributes() {
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(TerrainVertex), nullptr);
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(TerrainVertex), reinterpret_cast<const void*>(offsetof(TerrainVertex, skirt)));
+  gl::attribute(0, 3, sizeof(TerrainVertex), 0);
+  gl::attribute(1, 1, sizeof(TerrainVertex), offsetof(TerrainVertex, skirt));
 }
 
 double shareOf(double value, double period) {
@@ -118,8 +118,7 @@ void TerrainPass::uploadMesh(const TerrainModel& model, const TerrainFrustum& fr
     for (std::size_t kind = kindOf(tile); kind < kKinds; ++kind) ++ends_[kind];
   corners_.clear();
   for (const TerrainTile& tile : tiles_) addTileVertices(grid, tile, frustum.eye, frustum.tolerance, corners_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(TerrainVertex)), corners_.data(), GL_STREAM_DRAW);
+  gl::upload(GL_ARRAY_BUFFER, vertices_, corners_, GL_STREAM_DRAW);
   if (tiles_.size() > indexed_) {
     indexed_ = std::max(tiles_.size(), kMostTiles);
     std::vector<std::uint32_t> indices;
@@ -130,8 +129,7 @@ void TerrainPass::uploadMesh(const TerrainModel& model, const TerrainFrustum& fr
   }
   outer_.clear();
   addSurroundings(grid, frustum.eye, kSurroundings_m, frustum.tolerance, outer_);
-  glBindBuffer(GL_ARRAY_BUFFER, surroundings_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(outer_.size() * sizeof(TerrainVertex)), outer_.data(), GL_STREAM_DRAW);
+  gl::upload(GL_ARRAY_BUFFER, surroundings_, outer_, GL_STREAM_DRAW);
 }
 
 void TerrainPass::prepare(Kind kind, const TerrainModel& model, const Vec3& eye, const View& view, const MissionLight& light, const TerrainLines& lines) const {

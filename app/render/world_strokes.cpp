@@ -6,82 +6,8 @@
 namespace npsee::render {
 namespace {
 
-/// Room for the soft edge, pixels, and how far a sharp corner may reach.
-constexpr double kFeather_px = 1.0, kMitreLimit = 2.0;
 /// Lines outside the picture by more than this are left out, pixels.
 constexpr double kAround_px = 4000.0;
-
-struct Point {
-  double x, y;      ///< pixels from the upper left
-  double clip_z, clip_w;
-};
-struct Step {
-  double x, y;
-};
-
-Step across(const Point& a, const Point& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, size = std::hypot(dx, dy);
-  return size > 1e-9 ? Step{-dy / size, dx / size} : Step{0.0, 0.0};
-}
-
-Step mitre(const Step& before, const Step& after) {
-  if (before.x == 0.0 && before.y == 0.0) return after;
-  const Step sum{before.x + after.x, before.y + after.y};
-  const double square = sum.x * sum.x + sum.y * sum.y;
-  if (square < 1e-9) return after;
-  const Step out{2.0 * sum.x / square, 2.0 * sum.y / square};
-  const double size = std::hypot(out.x, out.y);
-  return size > kMitreLimit ? Step{out.x * kMitreLimit / size, out.y * kMitreLimit / size} : out;
-}
-
-class Builder {
- public:
-  Builder(double width, double height, std::vector<StrokeVertex>& out) : width_(width), height_(height), out_(out) {}
-
-  void add(const std::vector<Point>& points, const StrokeStyle& style) {
-    if (points.size() == 1) dot(points[0], style);
-    if (points.size() > 1) line(points, style);
-  }
-
- private:
-  StrokeVertex vertex(const Point& at, const Step& moved, double offset_x, double offset_y, const StrokeStyle& style, double along) const {
-    StrokeVertex out;
-    const auto f = [](double v) { return static_cast<float>(v); };
-    out.clip = {f((2.0 * (at.x + moved.x) / width_ - 1.0) * at.clip_w), f((1.0 - 2.0 * (at.y + moved.y) / height_) * at.clip_w), f(at.clip_z), f(at.clip_w)};
-    out.offset = {f(offset_x), f(offset_y)};
-    out.half_width = f(0.5 * style.width_px);
-    out.dash_px = f(style.dash_px);
-    out.along_px = f(along);
-    out.colour = {f(style.colour.r), f(style.colour.g), f(style.colour.b), f(style.opacity)};
-    out.hidden = f(style.hidden);
-    return out;
-  }
-  void quad(const StrokeVertex& a, const StrokeVertex& b, const StrokeVertex& c, const StrokeVertex& d) {
-    for (const StrokeVertex* v : {&a, &b, &c, &a, &c, &d}) out_.push_back(*v);
-  }
-  void dot(const Point& at, const StrokeStyle& style) {
-    const double r = 0.5 * style.width_px + kFeather_px;
-    quad(vertex(at, {-r, -r}, -r, -r, style, 0.0), vertex(at, {r, -r}, r, -r, style, 0.0), vertex(at, {r, r}, r, r, style, 0.0), vertex(at, {-r, r}, -r, r, style, 0.0));
-  }
-  void line(const std::vector<Point>& points, const StrokeStyle& style) {
-    const double r = 0.5 * style.width_px + kFeather_px;
-    double along = 0.0;
-    StrokeVertex before[2];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Step in = i > 0 ? across(points[i - 1], points[i]) : Step{0.0, 0.0};
-      const Step out = i + 1 < points.size() ? across(points[i], points[i + 1]) : in;
-      const Step m = out.x == 0.0 && out.y == 0.0 ? in : mitre(in, out);
-      if (i > 0) along += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
-      const StrokeVertex now[2] = {vertex(points[i], {r * m.x, r * m.y}, 0.0, r, style, along), vertex(points[i], {-r * m.x, -r * m.y}, 0.0, -r, style, along)};
-      if (i > 0) quad(before[0], before[1], now[1], now[0]);
-      before[0] = now[0];
-      before[1] = now[1];
-    }
-  }
-
-  double width_, height_;
-  std::vector<StrokeVertex>& out_;
-};
 
 /// A place in camera coordinates.
 struct Seen {
@@ -97,7 +23,7 @@ class Projector {
     return {dot(eye_.lens.right, from), dot(eye_.lens.up, from), -dot(eye_.lens.back, from)};
   }
   double nearest() const { return 1.01 * eye_.lens.near_m; }
-  Point point(const Seen& s) const {
+  StrokePoint point(const Seen& s) const {
     const double n = eye_.lens.near_m, f = eye_.lens.far_m;
     return {0.5 * eye_.width + scale_ * s.right / s.depth, 0.5 * eye_.height - scale_ * s.up / s.depth, ((f + n) * s.depth - 2.0 * f * n) / (f - n), s.depth};
   }
@@ -107,10 +33,10 @@ class Projector {
   double scale_;
 };
 
-bool near(const Point& p, const MissionEye& eye) { return p.x > -kAround_px && p.y > -kAround_px && p.x < eye.width + kAround_px && p.y < eye.height + kAround_px; }
+bool near(const StrokePoint& p, const MissionEye& eye) { return p.x > -kAround_px && p.y > -kAround_px && p.x < eye.width + kAround_px && p.y < eye.height + kAround_px; }
 
 /// Whether both ends are beyond the same side of the picture.
-bool aside(const Point& a, const Point& b, const MissionEye& eye) {
+bool aside(const StrokePoint& a, const StrokePoint& b, const MissionEye& eye) {
   const double m = 40.0;
   return (a.x < -m && b.x < -m) || (a.y < -m && b.y < -m) || (a.x > eye.width + m && b.x > eye.width + m) || (a.y > eye.height + m && b.y > eye.height + m);
 }
@@ -119,8 +45,8 @@ bool aside(const Point& a, const Point& b, const MissionEye& eye) {
 
 void addStrokes(const std::vector<WorldStroke>& strokes, const MissionEye& eye, std::vector<StrokeVertex>& out) {
   const Projector projector(eye);
-  Builder builder(eye.width, eye.height, out);
-  std::vector<Point> run;
+  StrokeBuilder builder(eye.width, eye.height, out);
+  std::vector<StrokePoint> run;
   const auto finish = [&](const StrokeStyle& style) {
     if (run.size() > 1) builder.add(run, style);
     run.clear();
@@ -146,7 +72,7 @@ void addStrokes(const std::vector<WorldStroke>& strokes, const MissionEye& eye, 
       const bool entered = a.depth < least, left = b.depth < least;
       if (entered) a = cut(a, b);
       if (left) b = cut(b, a);
-      const Point from = projector.point(a), to = projector.point(b);
+      const StrokePoint from = projector.point(a), to = projector.point(b);
       if (aside(from, to, eye) || !near(from, eye) || !near(to, eye)) {
         finish(stroke.style);
         continue;
@@ -161,8 +87,8 @@ void addStrokes(const std::vector<WorldStroke>& strokes, const MissionEye& eye, 
 }
 
 void addStrokes(const std::vector<ScreenStroke>& strokes, int width, int height, std::vector<StrokeVertex>& out) {
-  Builder builder(width, height, out);
-  std::vector<Point> points;
+  StrokeBuilder builder(width, height, out);
+  std::vector<StrokePoint> points;
   for (const ScreenStroke& stroke : strokes) {
     points.clear();
     for (const auto& [x, y] : stroke.points) points.push_back({x, y, -1.0, 1.0});

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/render/mission_camera.h"
-#include "app/render/template_drawing.h"
+#include "app/render/strokes.h"
 
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace npsee::render {
@@ -21,7 +23,7 @@ struct ScreenStroke {
   StrokeStyle style;
 };
 
-/// Triangles for StrokeVertex shaders (shaders/template_stroke.vert); lines are cut at the near plane.
+/// Triangles for a StrokePass; lines are cut at the near plane.
 void addStrokes(const std::vector<WorldStroke>& strokes, const MissionEye& eye, std::vector<StrokeVertex>& out);
 void addStrokes(const std::vector<ScreenStroke>& strokes, int width, int height, std::vector<StrokeVertex>& out);
 
