@@ -4,6 +4,7 @@
 #include <npsee/ballistics.h>
 #include <npsee/weapons.h>
 
+#include "tests/support/damage.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -16,20 +17,10 @@ namespace {
 
 const std::string kAssets = std::string(NPSEE_SOURCE_DIR) + "/assets/";
 
-/// A few random edits: bytes changed, cut, doubled, or replaced by text that parsers stumble over.
+/// With what parsers stumble over.
 std::string damaged(std::string text, std::mt19937& random) {
   static const char* const kTraps[] = {"NaN", "1e999", "-", "\"", "[", "}", "/*", "*/", "null", "0", "-1", "1e308", "D", "I", "\n", "\\u0000", "99999999999999999999", "\xff"};
-  const unsigned edits = 1 + random() % 4;
-  for (unsigned i = 0; i < edits && !text.empty(); ++i) {
-    const std::size_t at = random() % text.size(), length = 1 + random() % 12;
-    switch (random() % 4) {
-      case 0: text[at] = static_cast<char>(random() % 256); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.insert(at, text.substr(random() % text.size(), length)); break;
-      default: text.replace(at, random() % 5, kTraps[random() % std::size(kTraps)]);
-    }
-  }
-  return text;
+  return test::damaged(std::move(text), random, kTraps, 4);
 }
 
 void expectFaults(const Error& error) {

@@ -1,6 +1,6 @@
 #include "editor/mission/document.h"
-#include "tests/editor/mission_support.h"
 #include "tests/support/process.h"
+#include "tests/support/small_mission.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using Kind = ObjectRef::Kind;
 class MissionDocuments : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(saveScenario(smallMission(), folder_ / "small.mission.json").has_value());
+    ASSERT_TRUE(saveScenario(test::smallMission(), folder_ / "small.mission.json").has_value());
     const auto loaded = document.load(folder_ / "small.mission.json");
     ASSERT_TRUE(loaded.has_value()) << loaded.error().text();
   }
@@ -146,7 +146,7 @@ TEST_F(MissionDocuments, ABrokenFileIsAMessageAndTheDocumentStays) {
 }
 
 TEST(MissionObjects, FreeNamesCountOn) {
-  Scenario scenario = smallMission();
+  Scenario scenario = test::smallMission();
   EXPECT_EQ(freeName(scenario, "t72-1"), "t72-2");
   EXPECT_EQ(freeName(scenario, "gun1"), "gun3");
   EXPECT_EQ(freeName(scenario, "new"), "new1");

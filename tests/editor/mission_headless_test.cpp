@@ -1,11 +1,7 @@
-#include "app/render/image.h"
-#include "tests/editor/mission_support.h"
-#include "tests/support/process.h"
-
-#include <gtest/gtest.h>
+#include "tests/editor/editor_script.h"
+#include "tests/support/small_mission.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 
 namespace npsee {
@@ -14,31 +10,13 @@ namespace {
 const std::string kMissions = std::string(NPSEE_SOURCE_DIR) + "/assets/missions/";
 
 /// The mission mode driven by scripts through the real command line.
-class MissionScript : public testing::Test {
+class MissionScript : public test::ScriptedEditor {
  protected:
-  test::ProcessResult run(const std::string& script, const std::string& file, const std::vector<std::string>& more = {}) {
-    test::spill(folder_ / "script.txt", script);
-    std::vector<std::string> arguments{"edit", file, "--headless", "--script", folder_ / "script.txt"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return test::npseeRun(arguments);
-  }
-  void passes(const std::string& script, const std::string& file, const std::vector<std::string>& more = {}) {
-    const auto result = run(script, file, more);
-    EXPECT_EQ(result.exit_code, 0) << result.err << result.out;
-  }
   /// The small mission, in a file of its own.
-  std::string small(const Scenario& scenario = editor::smallMission()) {
+  std::string small(const Scenario& scenario = test::smallMission()) {
     EXPECT_TRUE(saveScenario(scenario, folder_ / "small.mission.json").has_value());
     return folder_ / "small.mission.json";
   }
-  render::Image picture(const std::string& name) {
-    auto image = render::readPng(folder_ / name);
-    EXPECT_TRUE(image.has_value()) << name;
-    return image ? std::move(*image) : render::Image{};
-  }
-  std::string in(const std::string& name) { return folder_ / name; }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(MissionScript, OpensSimulatesAndShowsAMission) {
@@ -100,7 +78,7 @@ TEST_F(MissionScript, AWrongValueIsRefusedWithItsLimit) {
 }
 
 TEST_F(MissionScript, APersonTakesTheObserverCallsAndCorrectsFire) {
-  Scenario scenario = editor::smallMission();
+  Scenario scenario = test::smallMission();
   scenario.observers[0].human = true;
   passes("click observer:fo1\nclick tab:Fire\nclick button:take\nexpect camera = observer\nexpect live = yes\nset call.x 7000\nset call.z 4850\nclick \"button:call for fire\"\nclick button:play\nwait 120\nexpect \"open missions\" = 1\n"
          "click speed\nclick speed:8\nwait 300\nexpect rounds = 1\nset correct.right 100\nset correct.add -50\nclick button:correct\nexpect correct.right = 0\nwait 60\nexpect graded = 1\n"
@@ -143,7 +121,7 @@ TEST_F(MissionScript, ABrokenMissionFileIsAMessageWithFileAndLine) {
 }
 
 TEST_F(MissionScript, AMissionThatNamesABrokenThingShowsWhy) {
-  Scenario scenario = editor::smallMission();
+  Scenario scenario = test::smallMission();
   scenario.batteries[0].weapon = 999;
   passes("expect error contains 999\nexpect events = 0\nset battery.weapon 110\nclick button:dismiss\nexpect error =\nexpect shots > 0\n", small(scenario));
 }

@@ -1,6 +1,7 @@
 #include "editor/document/session.h"
-#include "tests/editor/mission_support.h"
+#include "editor/mission/session.h"
 #include "tests/support/process.h"
+#include "tests/support/small_mission.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 /// A session that waits for its simulation, with the small mission opened.
 class MissionSessions : public testing::Test {
  protected:
-  void SetUp() override { open(smallMission()); }
+  void SetUp() override { open(test::smallMission()); }
   void open(const Scenario& scenario) {
     ASSERT_TRUE(saveScenario(scenario, folder_ / "small.mission.json").has_value());
     session.open(folder_ / "small.mission.json");
@@ -39,7 +40,7 @@ TEST_F(MissionSessions, TheWholeMissionIsSimulatedBeforeItIsPlayed) {
   EXPECT_EQ(mission.clock.time_s, 0.0);
   EXPECT_GT(count(EventKind::fire), 0);
   EXPECT_FALSE(mission.shots().empty());
-  EXPECT_EQ(mission.recording()->hash, runMission(smallMission())->hash) << "as the command line simulates it";
+  EXPECT_EQ(mission.recording()->hash, runMission(test::smallMission())->hash) << "as the command line simulates it";
 }
 
 TEST_F(MissionSessions, AnEditSimulatesAnewAndKeepsTheMoment) {
@@ -80,7 +81,7 @@ TEST_F(MissionSessions, WithAPersonInTheLoopTheFutureIsNotSimulated) {
 }
 
 TEST_F(MissionSessions, APersonCallsAndCorrectsFireAndIsGraded) {
-  Scenario scenario = smallMission();
+  Scenario scenario = test::smallMission();
   scenario.observers[0].human = true;  // else the rules have called before he is there
   open(scenario);
   ASSERT_TRUE(mission.take("fo1").has_value());
@@ -174,9 +175,9 @@ TEST_F(MissionSessions, OpeningAPresetKeepsTheMissionAndAsksOnlyAboutWhatIsLost)
 
 TEST(MissionRunnerThread, TheNewestRequestIsTheOneThatIsAnswered) {
   MissionRunner runner;
-  const auto scenario = std::make_shared<const Scenario>(smallMission());
+  const auto scenario = std::make_shared<const Scenario>(test::smallMission());
   const auto none = std::make_shared<const std::vector<MissionCommand>>();
-  for (std::uint64_t i = 1; i <= 20; ++i) runner.request({i, i % 2 == 0 ? scenario : std::make_shared<const Scenario>(smallMission()), none, 100.0 + static_cast<double>(i)});
+  for (std::uint64_t i = 1; i <= 20; ++i) runner.request({i, i % 2 == 0 ? scenario : std::make_shared<const Scenario>(test::smallMission()), none, 100.0 + static_cast<double>(i)});
   std::optional<MissionRunner::Result> last;
   while (runner.busy() || !last || last->number != 20)
     if (auto result = runner.poll(std::chrono::milliseconds(50))) last = std::move(result);
@@ -187,7 +188,7 @@ TEST(MissionRunnerThread, TheNewestRequestIsTheOneThatIsAnswered) {
 
 TEST(MissionRunnerThread, GoingOnInStepsIsTheSameAsInOneGo) {
   MissionRunner runner;
-  const auto scenario = std::make_shared<const Scenario>(smallMission());
+  const auto scenario = std::make_shared<const Scenario>(test::smallMission());
   const auto none = std::make_shared<const std::vector<MissionCommand>>();
   std::shared_ptr<const Recording> recording;
   for (int i = 1; i <= 48; ++i) {

@@ -1,3 +1,5 @@
+#include "tests/support/small_mission.h"
+
 #include <npsee/mission.h>
 
 #include <gtest/gtest.h>
@@ -10,37 +12,15 @@
 namespace npsee {
 namespace {
 
-/// One observer, one battery of three howitzers, one tank 2.5 km from him, on flat ground.
-Scenario duel() {
-  Scenario sc;
-  sc.name = "duel";
-  sc.duration_s = 300.0;
-  sc.world.size_x_m = sc.world.size_z_m = 30000.0;
-  sc.world.sea_level_m = -10.0;
-  VehicleSetup tank;
-  tank.id = "tank";
-  tank.type = 51;
-  tank.at = {15000, 10000};
-  sc.vehicles.push_back(tank);
-  BatterySetup battery;
-  battery.id = "alpha";
-  battery.projectile = "m107";
-  battery.charges = {"3W"};
-  battery.guns = {{"a1", {10000, 10000}}, {"a2", {10000, 10050}}, {"a3", {10000, 10100}}};
-  sc.batteries.push_back(battery);
-  ObserverSetup observer;
-  observer.id = "fo";
-  observer.at = {12500, 10000};
-  observer.missions = {{MissionAction::destroy, 51}};
-  sc.observers.push_back(observer);
-  return sc;
-}
+using test::eventsOf;
 
-std::vector<const MissionEvent*> eventsOf(const Recording& recording, EventKind kind) {
-  std::vector<const MissionEvent*> out;
-  for (const MissionEvent& event : recording.events)
-    if (event.kind == kind) out.push_back(&event);
-  return out;
+/// The small mission with three howitzers, longer, and its observer due west of the tank.
+Scenario duel() {
+  Scenario sc = test::smallMission();
+  sc.duration_s = 300.0;
+  sc.batteries[0].guns.push_back({"gun3", {2000.0, 5030.0}});
+  sc.observers[0].at = {4500.0, 5000.0};
+  return sc;
 }
 
 Recording ran(const Scenario& scenario, const std::vector<MissionCommand>& commands = {}) {
@@ -55,7 +35,7 @@ TEST(MissionEngine, AStaticTargetInPlainSightIsFoundFiredAtAndDestroyed) {
   ASSERT_FALSE(eventsOf(recording, EventKind::call).empty());
   const auto destroyed = eventsOf(recording, EventKind::destroyed);
   ASSERT_EQ(destroyed.size(), 1u) << eventLog(recording);
-  EXPECT_EQ(destroyed.front()->text("target"), "tank");
+  EXPECT_EQ(destroyed.front()->text("target"), "t72-1");
   ASSERT_FALSE(eventsOf(recording, EventKind::end_of_mission).empty());
   EXPECT_EQ(eventsOf(recording, EventKind::end_of_mission).front()->text("result"), "destroyed");
   EXPECT_EQ(recording.events.back().kind, EventKind::end);
@@ -153,7 +133,7 @@ TEST(MissionEngine, AnEmptyWorldRunsToItsEnd) {
 
 TEST(MissionEngine, GunsOutOfRangeRefuseWithTheReason) {
   Scenario sc = duel();
-  for (GunSetup& gun : sc.batteries[0].guns) gun.at = {1000, 1000};
+  for (GunSetup& gun : sc.batteries[0].guns) gun.at = {100, 9900};
   const Recording recording = ran(sc);
   const auto refusals = eventsOf(recording, EventKind::refuse);
   ASSERT_FALSE(refusals.empty()) << eventLog(recording);
@@ -179,8 +159,8 @@ TEST(MissionEngine, ALocationErrorIsWalkedInAndTheTargetDestroyed) {
     for (const MissionEvent* event : eventsOf(recording, EventKind::spot)) {
       // What he saw is what was there: the spot's range is the burst's place along his line to the tank, which runs due east.
       const ShellRecord& shell = recording.shells[static_cast<std::size_t>(event->number("shell")) - 1];
-      EXPECT_NEAR(event->number("range_m"), shell.burst_m.x - 15000.0, 1e-6);
-      EXPECT_EQ(event->number("lateral_mil") > 0.0, shell.burst_m.z > 10000.0) << "south of an eastward line is right of it";
+      EXPECT_NEAR(event->number("range_m"), shell.burst_m.x - 7000.0, 1e-6);
+      EXPECT_EQ(event->number("lateral_mil") > 0.0, shell.burst_m.z > 5000.0) << "south of an eastward line is right of it";
     }
     corrected += !eventsOf(recording, EventKind::correction).empty();
   }
@@ -196,9 +176,9 @@ TEST(MissionEngine, APersonInTheObserversPlaceCallsCorrectsAndEnds) {
 
   using enum MissionCommand::Kind;
   const std::vector<MissionCommand> commands{
-      {.t_s = 2.0, .kind = call_for_fire, .who = "fo", .place = {15150, 10120}, .target = {}, .method = FireMethod::adjust_fire, .description = "tank in the open"},
-      {.t_s = 60.0, .kind = fire_for_effect, .who = "fo", .place = {}, .target = {}, .mission = 1, .right_m = -120.0, .add_m = -150.0, .description = {}},
-      {.t_s = 200.0, .kind = end_mission, .who = "fo", .place = {}, .target = {}, .mission = 1, .description = "target destroyed"}};
+      {.t_s = 2.0, .kind = call_for_fire, .who = "fo1", .place = {7150, 5120}, .target = {}, .method = FireMethod::adjust_fire, .description = "tank in the open"},
+      {.t_s = 60.0, .kind = fire_for_effect, .who = "fo1", .place = {}, .target = {}, .mission = 1, .right_m = -120.0, .add_m = -150.0, .description = {}},
+      {.t_s = 200.0, .kind = end_mission, .who = "fo1", .place = {}, .target = {}, .mission = 1, .description = "target destroyed"}};
   const Recording recording = ran(sc, commands);
   EXPECT_EQ(eventsOf(recording, EventKind::call).size(), 1u) << eventLog(recording);
   ASSERT_FALSE(eventsOf(recording, EventKind::spot).empty());
@@ -211,7 +191,7 @@ TEST(MissionEngine, APersonInTheObserversPlaceCallsCorrectsAndEnds) {
 TEST(MissionEngine, CommandsThatNameNobodyAreAnsweredByAWarning) {
   using enum MissionCommand::Kind;
   const Recording recording = ran(duel(), {{.t_s = 1.0, .kind = drive, .who = "nobody", .place = {}, .target = {}, .description = {}},
-                                           {.t_s = 1.0, .kind = correct, .who = "fo", .place = {}, .target = {}, .mission = 99, .description = {}}});
+                                           {.t_s = 1.0, .kind = correct, .who = "fo1", .place = {}, .target = {}, .mission = 99, .description = {}}});
   EXPECT_GE(eventsOf(recording, EventKind::warning).size(), 2u);
 }
 
@@ -219,10 +199,10 @@ TEST(MissionEngine, ADriverMovesHisVehicleAndItsTrackShowsIt) {
   using enum MissionCommand::Kind;
   Scenario sc = duel();
   sc.vehicles[0].behaviour = Behaviour::user;
-  const Recording recording = ran(sc, {{.t_s = 1.0, .kind = drive, .who = "tank", .speed_mps = 8.0, .turn_radps = 0.0, .place = {}, .target = {}, .description = {}}});
+  const Recording recording = ran(sc, {{.t_s = 1.0, .kind = drive, .who = "t72-1", .speed_mps = 8.0, .turn_radps = 0.0, .place = {}, .target = {}, .description = {}}});
   const auto& track = recording.vehicles[0].track;
   const Pose start = track.at(0.5), later = track.at(4.0);
-  EXPECT_EQ(start.x_m, 15000.0);
+  EXPECT_EQ(start.x_m, 7000.0);
   EXPECT_GT(std::hypot(later.x_m - start.x_m, later.z_m - start.z_m), 5.0);
 }
 

@@ -1,27 +1,18 @@
 // Damaged rules files: each is refused with a message or thinks. And the shipped rules, taken as if they came from somebody else.
 #include "sim/observer/mind_data.h"
 #include "tests/observer/observer_support.h"
+#include "tests/support/damage.h"
 
 #include <random>
 
 namespace npsee::observer {
 namespace {
 
-/// A few random edits: bytes changed, cut, doubled, or replaced by what parsers and rules stumble over.
+/// With what parsers and rules stumble over.
 std::string damaged(std::string text, std::mt19937& random) {
   static const char* const kTraps[] = {"(", ")", "\"", "?", "$?", "&", "~", "|", ":", "=", "=>", "<-", "not", "test", "and", "or", "-9223372036854775808", "1e999", "nan", "(retract ?target)", "(exit)",
                                        "none", "TRUE", "?id", ";", "0", "-1", "(not (contact))", "\n", "\xff", "(while TRUE do)", "contact", "(assert (target (id 3)))", "declare"};
-  const auto edits = 1 + random() % 3;
-  for (std::uint_fast32_t i = 0; i < edits && !text.empty(); ++i) {
-    const std::size_t at = random() % text.size(), length = 1 + random() % 12;
-    switch (random() % 4) {
-      case 0: text[at] = static_cast<char>(random() % 256); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.insert(at, text.substr(random() % text.size(), length)); break;
-      default: text.replace(at, random() % 5, kTraps[random() % std::size(kTraps)]);
-    }
-  }
-  return text;
+  return test::damaged(std::move(text), random, kTraps, 3);
 }
 
 /// The shipped rules in one file.

@@ -1,8 +1,7 @@
-#include "app/gl/objects.h"
 #include "app/render/mission_overlays.h"
 #include "app/render/mission_scene.h"
-#include "app/render/renderer.h"
 #include "tests/support/missions.h"
+#include "tests/support/rendering.h"
 
 #include <npsee/units.h>
 
@@ -13,23 +12,8 @@
 namespace npsee::render {
 namespace {
 
-class Missions : public ::testing::Test {
+class Missions : public test::Rendering {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::makeOffscreenContext();
-    ASSERT_TRUE(made) << made.error().text();
-    context_ = made->release();
-    auto renderer = Renderer::create();
-    ASSERT_TRUE(renderer) << renderer.error().text();
-    renderer_ = renderer->release();
-  }
-  static void TearDownTestSuite() {
-    delete renderer_;
-    delete context_;
-  }
-  void SetUp() override { ASSERT_NE(renderer_, nullptr); }
-  void TearDown() override { EXPECT_EQ(gl::pendingError(), nullptr); }
-
   static Image draw(const Recording& recording, double time_s, const MissionView& view, int width = 480, int height = 270) {
     auto scene = MissionScene::make(recording);
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().text());
@@ -40,14 +24,9 @@ class Missions : public ::testing::Test {
     }
     return image;
   }
-
-  static gl::Context* context_;
-  static Renderer* renderer_;
 };
-gl::Context* Missions::context_ = nullptr;
-Renderer* Missions::renderer_ = nullptr;
 
-double brightness(const std::uint8_t* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; }
+using test::brightness;
 
 Terrain cone() {
   TerrainSource source;

@@ -1,6 +1,5 @@
-#include "app/gl/objects.h"
 #include "app/gl/program.h"
-#include "app/render/renderer.h"
+#include "tests/support/rendering.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
@@ -11,35 +10,16 @@
 namespace npsee::render {
 namespace {
 
-/// One context and renderer for all tests of the file: making them costs more than drawing.
-class Rendering : public ::testing::Test {
+class Rendering : public test::Rendering {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::makeOffscreenContext();
-    ASSERT_TRUE(made) << made.error().text();
-    context_ = made->release();
-    auto renderer = Renderer::create();
-    ASSERT_TRUE(renderer) << renderer.error().text();
-    renderer_ = renderer->release();
-  }
-  static void TearDownTestSuite() {
-    delete renderer_;
-    delete context_;
-  }
-  void SetUp() override { ASSERT_NE(renderer_, nullptr); }
-  void TearDown() override { EXPECT_EQ(gl::pendingError(), nullptr); }
-
   static Image draw(const Scene& scene, const Camera& camera, int width = 320, int height = 180) {
     auto image = renderer_->drawToImage(scene, camera, width, height);
     EXPECT_TRUE(image) << (image ? "" : image.error().text());
     return image ? *image : Image{};
   }
-
-  static gl::Context* context_;
-  static Renderer* renderer_;
 };
-gl::Context* Rendering::context_ = nullptr;
-Renderer* Rendering::renderer_ = nullptr;
+
+using test::brightness;
 
 Scene sceneOf(const test::HandMade& made, Background::Kind background = Background::Kind::sky, const Colour& colour = {}) {
   Scene scene;
@@ -62,9 +42,6 @@ int coveredPixels(const Image& image) {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] > 0;
   return count;
 }
-
-/// Perceived brightness, 0..255.
-double brightness(const std::uint8_t* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; }
 
 const Camera kFront = looking({0.0, 3.0, 20.0}, {0.0, 3.0, 0.0});
 

@@ -1,6 +1,5 @@
-#include "app/gl/objects.h"
-#include "app/render/renderer.h"
 #include "tests/support/random_preset.h"
+#include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 
@@ -10,27 +9,13 @@
 namespace npsee::render {
 namespace {
 
-/// One context and renderer for all tests of the file: making them costs more than drawing.
-class TemplatePixels : public ::testing::Test {
+class TemplatePixels : public test::Rendering {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::makeOffscreenContext();
-    ASSERT_TRUE(made) << made.error().text();
-    context_ = std::move(*made);
-    auto renderer = Renderer::create();
-    ASSERT_TRUE(renderer) << renderer.error().text();
-    renderer_ = std::move(*renderer);
-  }
-  static void TearDownTestSuite() {
-    renderer_.reset();
-    context_.reset();
-  }
   void SetUp() override {
-    ASSERT_NE(renderer_, nullptr);
+    test::Rendering::SetUp();
     preset_.layers.emplace_back();
     scene_.preset = &preset_;
   }
-  void TearDown() override { EXPECT_EQ(gl::pendingError(), nullptr); }
 
   Layer& layer() { return preset_.layers[0]; }
   Image draw(int width = 240, int height = 200) const {
@@ -39,13 +24,9 @@ class TemplatePixels : public ::testing::Test {
     return image ? *image : Image{};
   }
 
-  static std::unique_ptr<gl::Context> context_;
-  static std::unique_ptr<Renderer> renderer_;
   Preset preset_;
   TemplateScene scene_;
 };
-std::unique_ptr<gl::Context> TemplatePixels::context_;
-std::unique_ptr<Renderer> TemplatePixels::renderer_;
 
 /// Share of pixels that differ by more than 8 of 255 in a component.
 double difference(const Image& a, const Image& b) {

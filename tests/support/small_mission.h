@@ -1,12 +1,11 @@
 #pragma once
 
-#include "editor/mission/session.h"
-
+#include <npsee/recording.h>
 #include <npsee/scenario.h>
 
-#include <string>
+#include <vector>
 
-namespace npsee::editor {
+namespace npsee::test {
 
 /// A small mission on flat ground: one observer, a battery of two guns, a hostile tank that stands in his sight.
 inline Scenario smallMission() {
@@ -32,4 +31,12 @@ inline Scenario smallMission() {
   return out;
 }
 
-}  // namespace npsee::editor
+/// Events of a kind, in order.
+inline std::vector<const MissionEvent*> eventsOf(const Recording& recording, EventKind kind) {
+  std::vector<const MissionEvent*> out;
+  for (const MissionEvent& event : recording.events)
+    if (event.kind == kind) out.push_back(&event);
+  return out;
+}
+
+}  // namespace npsee::test
