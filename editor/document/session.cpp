@@ -45,8 +45,10 @@ Session::Session(SessionOptions options)
 Session::~Session() = default;
 
 void Session::update(double elapsed_s) {
-  if (inMission()) mission_->update(elapsed_s, notices);
-  else updateExplosion(elapsed_s);
+  if (!inMission()) return updateExplosion(elapsed_s);
+  mission_->view.presets.clear();
+  if (mission_->own_burst) mission_->view.presets[0] = document.snapshot();
+  mission_->update(elapsed_s, notices);
 }
 
 bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling(); }

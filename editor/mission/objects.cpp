@@ -119,16 +119,21 @@ void shift(Scenario& scenario, const ObjectRef& ref, double dx_m, double dz_m) {
   }
 }
 
-ObjectRef ownerOf(const Recording& recording, int vehicle) {
-  if (vehicle < 0 || vehicle >= static_cast<int>(recording.vehicles.size())) return {};
-  const std::string& id = recording.vehicles[static_cast<std::size_t>(vehicle)].id;
-  for (const VehicleSetup& setup : recording.scenario.vehicles)
-    if (setup.id == id) return {Kind::vehicle, id};
+std::vector<ObjectRef> ownersOf(const Recording& recording) {
+  std::vector<ObjectRef> out;
+  for (const VehicleRecord& vehicle : recording.vehicles) out.push_back({Kind::vehicle, vehicle.id});
   for (const ObserverRecord& observer : recording.observers)
-    if (observer.vehicle == vehicle) return {Kind::observer, observer.id};
-  for (const VehicleGroup& group : recording.scenario.groups)
-    if (id.starts_with(group.id + '-')) return {Kind::group, group.id};
-  return {};
+    // A vehicle of its own in the mission is selected as itself, even where it carries somebody.
+    if (observer.vehicle >= 0 && observer.vehicle < static_cast<int>(out.size()) && named(recording.scenario.vehicles, out[static_cast<std::size_t>(observer.vehicle)].id) == nullptr)
+      out[static_cast<std::size_t>(observer.vehicle)] = {Kind::observer, observer.id};
+  return out;
+}
+
+ObjectRef editable(const Scenario& scenario, const ObjectRef& ref) {
+  if (ref.kind != Kind::vehicle || named(scenario.vehicles, ref.id) != nullptr) return ref;
+  // A vehicle of a group is called after it: "patrol-3".
+  const std::string group = ref.id.substr(0, std::min(ref.id.rfind('-'), ref.id.size()));
+  return named(scenario.groups, group) != nullptr ? ObjectRef{Kind::group, group} : ref;
 }
 
 int vehicleOf(const Recording& recording, const ObjectRef& ref) {
@@ -207,6 +212,17 @@ ObjectRef addObserver(Scenario& scenario, const Place& at) {
         observer.missions.push_back({MissionAction::destroy, type.index});
   scenario.observers.push_back(observer);
   return {Kind::observer, observer.id};
+}
+
+ObjectRef addGroup(Scenario& scenario, int type, const Place& at) {
+  VehicleGroup group;
+  group.id = freeName(scenario, "group");
+  group.type = type;
+  group.count = 10;
+  group.from = clamped(scenario, {at.x_m - 500.0, at.z_m - 500.0});
+  group.to = clamped(scenario, {at.x_m + 500.0, at.z_m + 500.0});
+  scenario.groups.push_back(group);
+  return {Kind::group, group.id};
 }
 
 std::optional<ObjectRef> duplicate(Scenario& scenario, const ObjectRef& ref) {

@@ -42,8 +42,11 @@ std::optional<Place> placeOf(const Scenario& scenario, const ObjectRef& ref);
 /// Shifts an object; clamped so that no part of it leaves the world. An observer who rides on a vehicle moves that vehicle.
 void shift(Scenario& scenario, const ObjectRef& ref, double dx_m, double dz_m);
 
-/// What stands in the scenario for a vehicle of a recording: itself, the group it comes from, or the observer it carries.
-ObjectRef ownerOf(const Recording& recording, int vehicle);
+/// By what each vehicle of a recording is selected: itself, or the observer it carries.
+std::vector<ObjectRef> ownersOf(const Recording& recording);
+/// What of the scenario is edited where something is selected: a vehicle that comes from a group is edited as the group; everything else
+/// is itself, whether the scenario has it or a facts file brings it.
+ObjectRef editable(const Scenario& scenario, const ObjectRef& ref);
 /// Index in the recording of the vehicle, gun or observer's vehicle that an object is; -1 if none.
 int vehicleOf(const Recording& recording, const ObjectRef& ref);
 
@@ -61,6 +64,8 @@ ObjectRef addVehicle(Scenario& scenario, int type, const Place& at);
 /// To the battery `battery` (an id), or a new one where that is empty.
 ObjectRef addGun(Scenario& scenario, const std::string& battery, const Place& at);
 ObjectRef addObserver(Scenario& scenario, const Place& at);
+/// Ten vehicles of a type at random places of a square around `at`.
+ObjectRef addGroup(Scenario& scenario, int type, const Place& at);
 /// A copy beside the original; empty if nothing can be copied.
 std::optional<ObjectRef> duplicate(Scenario& scenario, const ObjectRef& ref);
 /// Removes an object and what names it: followers stand still, observers carried by it stand on their own feet. False if there is

@@ -1,6 +1,7 @@
 #include "editor/mission/session.h"
 
 #include "editor/document/session.h"
+#include "sim/world/scenario_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +46,20 @@ void MissionSession::update(double elapsed_s, Notices& notices) {
   ask();
   takeResults(notices);
   const bool was_live = live();
-  const double limit = was_live ? document.scenario().duration_s : recording_ ? recording_->duration_s : 0.0;
   static const std::vector<MissionEvent> kNone;
-  const auto stopped = clock.advance(elapsed_s, limit, recording_ ? recording_->events : kNone);
+  const auto stopped = clock.advance(elapsed_s, limit(was_live), recording_ ? recording_->events : kNone);
   if (stopped) notices.note = "Paused: " + eventSentence(recording_->events[*stopped]);
   if (!was_live || clock.time_s <= requested_.until_s) return;
   // In a live mission the moment that is shown next is simulated now.
   ask();
   takeResults(notices);
+}
+
+/// How far playing may go: to where something is simulated; with a person in the loop beyond, unless the simulation lags behind.
+double MissionSession::limit(bool in_the_loop) const {
+  constexpr double kLag_s = 0.25;
+  if (!recording_) return 0.0;
+  return in_the_loop && recording_->duration_s >= clock.time_s - kLag_s ? document.scenario().duration_s : recording_->duration_s;
 }
 
 void MissionSession::takeResults(Notices& notices) {
@@ -71,7 +78,13 @@ void MissionSession::accept(std::shared_ptr<const Recording> recording) {
   recording_ = std::move(recording);
   ++recording_number_;
   shots_ = shotsOf(*recording_);
-  if (!exists(document.scenario(), document.selected()) && !exists(recording_->scenario, document.selected())) document.select({});
+  owners_ = ownersOf(*recording_);
+  reach_.assign(recording_->scenario.batteries.size(), 0.0);
+  if (const auto weapons = world::missionWeapons(recording_->scenario))
+    for (std::size_t i = 0; i < reach_.size(); ++i)
+      if (const Weapon* weapon = weapons->find(std::to_string(recording_->scenario.batteries[i].weapon))) reach_[i] = static_cast<double>(weapon->range_m);
+  const ObjectRef& selected = document.selected();
+  if (!exists(document.scenario(), selected) && !exists(recording_->scenario, selected) && (selected.kind != ObjectRef::Kind::vehicle || recording_->findVehicle(selected.id) < 0)) document.select({});
   if (std::exchange(frame_on_arrival_, false)) {
     cameras_ = {};
     view.camera.kind = view.camera.kind == CameraKind::plan ? CameraKind::plan : CameraKind::orbit;
@@ -159,7 +172,7 @@ int MissionSession::selectedGun() const { return recording_ && document.selected
 int MissionSession::selectedObserver() const { return recording_ && document.selected().kind == ObjectRef::Kind::observer ? recording_->findObserver(document.selected().id) : -1; }
 
 void MissionSession::selectVehicle(int index) {
-  if (recording_) document.select(ownerOf(*recording_, index));
+  if (recording_ && index >= 0 && index < static_cast<int>(owners_.size())) document.select(owners_[static_cast<std::size_t>(index)]);
 }
 
 const Scenario& MissionSession::shownScenario() const {

@@ -36,6 +36,7 @@ class MissionSession {
   MissionDocument document;
   MissionClock clock;
   render::MissionView view;
+  bool own_burst = false;  ///< bursts show the preset of the explosion mode instead of their own
   EventFilter filter;
   Ruler ruler;
   CallForm call;
@@ -50,6 +51,10 @@ class MissionSession {
   /// Differs when the recording is another one.
   std::uint64_t recordingNumber() const { return recording_number_; }
   const std::vector<Shot>& shots() const { return shots_; }
+  /// By what a vehicle of the recording is selected.
+  const ObjectRef& owner(int vehicle) const { return owners_[static_cast<std::size_t>(vehicle)]; }
+  /// Reach of each battery's weapon as its weapons.dat gives it, m; 0 = unknown.
+  const std::vector<double>& reach() const { return reach_; }
   bool simulating() const { return runner_.busy() || requested_ != wanted(); }
   /// Share of the mission that the running simulation has covered, 0..1.
   double progress() const;
@@ -80,6 +85,8 @@ class MissionSession {
   void selectVehicle(int index);
   /// The scenario with what a facts file brings: that of the recording, else the document's.
   const Scenario& shownScenario() const;
+  /// What of the scenario is edited where something is selected (see editor::editable).
+  ObjectRef editable(const ObjectRef& ref) const { return editor::editable(shownScenario(), ref); }
   /// True if the selected thing comes from a facts file and is not in the mission itself.
   bool selectedFromFacts() const;
   /// Makes what the facts file brings part of the mission, so that it can be edited; nothing if there is none.
@@ -110,6 +117,7 @@ class MissionSession {
     friend bool operator==(const Wanted&, const Wanted&) = default;
   };
   Wanted wanted() const;
+  double limit(bool in_the_loop) const;
   void ask();
   void takeResults(Notices& notices);
   void prepareCall(int observer);
@@ -123,6 +131,8 @@ class MissionSession {
   std::shared_ptr<const Recording> recording_;
   std::uint64_t recording_number_ = 0;
   std::vector<Shot> shots_;
+  std::vector<ObjectRef> owners_;
+  std::vector<double> reach_;
   std::array<std::optional<render::MissionCamera>, 6> cameras_;
   bool frame_on_arrival_ = true;  ///< a new mission is put into view, an edit is not
   double aspect_ = 1.6;

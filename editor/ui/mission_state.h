@@ -17,7 +17,7 @@
 namespace npsee::editor {
 
 /// What the next click on the ground is for, in the viewport and in the plan alike.
-enum class GroundClick { select, vehicle, gun, observer, goal, call_for_fire, shoot };
+enum class GroundClick { select, vehicle, group, gun, observer, goal, call_for_fire, shoot };
 
 /// What the widgets of the mission mode remember from frame to frame.
 struct MissionUi {

@@ -86,6 +86,34 @@ TEST_F(MissionScript, APersonTakesTheObserverCallsAndCorrectsFire) {
          small(scenario));
 }
 
+TEST_F(MissionScript, AGroupIsPlacedByAClickAndEachOfItsVehiclesCanBeSelected) {
+  passes("click \"button:add object\"\nclick \"item:Ten vehicles at random\"\nclick plan\nexpect selected.kind = group\nexpect selected = group1\nexpect vehicles = 12\nexpect undo = 1\nexpect error =\n"
+         "click vehicle:group1-3\nexpect selected = group1-3\nexpect selected.kind = vehicle\nset group1.count 4\nexpect vehicles = 6\nexpect undo = 2\nclick tab:State\nexpect error =\n",
+         small());
+}
+
+TEST_F(MissionScript, TheArrowKeysMoveEveryCameraInItsOwnWay) {
+  passes("click \"toggle:camera free\"\nnote\nkey Up\nexpect eye.z < noted\nexpect target.z < noted\nkey Down\nexpect eye.z = noted\nkey Right\nexpect eye.x > noted\nkey Home\nexpect eye.y > noted\n"
+         "click \"toggle:camera orbit\"\nnote\nkey Right\nexpect yaw > noted\nkey Up\nexpect pitch > noted\nkey Home\nexpect distance < noted\n"
+         "click \"toggle:camera plan\"\nnote\nkey Right\nexpect target.x > noted\nkey Home\nexpect span < noted\n"
+         "click observer:fo1\nclick \"toggle:camera observer\"\nnote\nkey Home\nexpect field < noted\n",
+         small());
+}
+
+TEST_F(MissionScript, TheReticleGivesTheCallItsDirectionAndDistance) {
+  Scenario scenario = test::smallMission();
+  scenario.observers[0].human = true;
+  passes("click observer:fo1\nclick tab:Fire\nclick button:take\nexpect camera = observer\nset call.x 1000\nset call.z 1000\nclick \"toggle:from the reticle\"\n"
+         // The glass looks over the tank, which is 1513 m off along 1466 mil, at the ground behind it.
+         "expect call.distance > 1400\nexpect call.distance < 4000\nexpect call.azimuth > 1440\nexpect call.azimuth < 1490\nexpect call.x > 6900\nexpect error =\n",
+         small(scenario));
+}
+
+TEST_F(MissionScript, BurstsShowThePresetThatIsBeingEditedWhereThatIsAskedFor) {
+  passes("click tab:Shots\nclick shot:1\nkey Period\nwait 2\nset time 40\nset time 21.2\nclick \"toggle:camera follow\"\nsave " + in("own.png") + "\nclick button:show\nclick \"toggle:my burst\"\nkey Escape\nwait 2\nsave " + in("mine.png") + "\nexpect error =\n", small());
+  EXPECT_NE(picture("own.png").rgba, picture("mine.png").rgba);
+}
+
 TEST_F(MissionScript, AVehicleIsDrivenByTheKeyboard) {
   passes("click vehicle:t72-1\nkey T\nexpect selected.taken = yes\nclick button:play\nnote\nhold shift\nkey W\nlet shift\nwait 120\nexpect selected.speed > 0\nkey A\nwait 30\nkey S\nwait 240\nexpect selected.speed = 0\nkey T\nwait 3\nexpect live = no\n", small());
 }

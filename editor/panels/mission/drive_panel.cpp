@@ -6,6 +6,7 @@
 
 #include <npsee/units.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,11 +30,37 @@ void wish(const PanelContext& ui, const std::string& id, double speed, double tu
   ui.session.took(ui.session.mission().drive(id, speed, turn));
 }
 
+/// Arrows, Home and End: the thesis's keys move a free camera's viewpoint; the others turn, or shift a plan.
+void moveCamera(const PanelContext& ui) {
+  using CameraKind = render::MissionCamera::Kind;
+  render::MissionCamera& camera = ui.session.mission().view.camera;
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true) ? 1.0 : 0.0; };
+  const double x = pressed(ImGuiKey_RightArrow) - pressed(ImGuiKey_LeftArrow), z = pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow), y = pressed(ImGuiKey_Home) - pressed(ImGuiKey_End);
+  if (x == 0.0 && y == 0.0 && z == 0.0) return;
+  if (camera.kind == CameraKind::free) {
+    const double step = keyStep_m(length(camera.target - camera.eye));
+    camera.eye = camera.eye + step * Vec3{x, y, z};
+    camera.target = camera.target + step * Vec3{x, y, z};
+  } else if (camera.kind == CameraKind::plan) {
+    camera.target = camera.target + 0.1 * camera.span_m * Vec3{x, 0.0, z};
+    camera.span_m = std::clamp(camera.span_m * std::pow(0.8, y), 50.0, 400000.0);
+  } else if (camera.kind == CameraKind::observer) {
+    camera.turn_rad += 5.0 * x / kMilPerRad;
+    camera.raise_rad -= 5.0 * z / kMilPerRad;
+    camera.field_mil = std::clamp(camera.field_mil * std::pow(0.8, y), 10.0, 600.0);
+  } else {
+    camera.yaw_rad += 0.1 * x;
+    camera.pitch_rad = std::clamp(camera.pitch_rad - 0.1 * z, 0.01, 1.55);
+    camera.distance_m = std::clamp(camera.distance_m * std::pow(0.8, y), 5.0, 300000.0);
+  }
+}
+
 }  // namespace
 
 void handleMissionKeys(const PanelContext& ui) {
   MissionUi::Driving& now = ui.state.mission.driving;
   const ImGuiIO& io = ImGui::GetIO();
+  if (!io.WantTextInput && !io.KeyCtrl && !io.KeyAlt) moveCamera(ui);
   const VehicleRecord* vehicle = driven(ui);
   if (vehicle == nullptr) {
     now = {};

@@ -118,7 +118,7 @@ void drawSearch(const PanelContext& ui) {
 
 void drawFieldPanel(const PanelContext& ui) {
   MissionDocument& document = ui.session.mission().document;
-  const ObjectRef ref = document.selected();
+  const ObjectRef ref = ui.session.mission().editable(document.selected());
   if (!ui.state.typed.empty()) ui.state.mission.parameter_search.clear();
   drawSearch(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
@@ -132,7 +132,7 @@ void drawFieldPanel(const PanelContext& ui) {
     ImGui::Dummy(ImVec2(1, ui.px(4)));
     if (textButton(ui, "Write into the mission", "adopt", true)) ui.session.took(ui.session.mission().adopt());
   }
-  drawStruct(ui, {ref, {}}, title, word);
+  drawStruct(ui, {ref, {}}, ref == document.selected() ? title : "Group " + ref.id, word);
   if (ref.kind == Kind::gun) {
     const ObjectRef battery{Kind::battery, batteryOf(document.scenario(), ref.id)};
     drawStruct(ui, {battery, {}}, "Battery " + battery.id, word);

@@ -102,6 +102,23 @@ void drawKnownPoint(const PanelContext& ui, CallForm& call, int observer) {
   ImGui::SetCursorScreenPos(below);
 }
 
+/// What lies in the middle of the observer's glass, as a polar location.
+void readReticle(const PanelContext& ui, CallForm& call, int observer) {
+  const MissionSession& mission = ui.session.mission();
+  constexpr int kWidth = 1000, kHeight = 1000;
+  const render::MissionEye eye = render::missionEye(*mission.recording(), mission.clock.time_s, mission.view.camera, kWidth, kHeight);
+  const auto ground = eye.groundAt(mission.recording()->terrain, 0.5 * kWidth, 0.5 * kHeight);
+  call.locate = Locate::polar;
+  if (!ground) {
+    ui.session.notices.error = "There is no ground in the middle of the glass.\n  Lower the view, or type the distance.";
+    return;
+  }
+  const auto [azimuth, distance] = polarTo(*mission.recording(), observer, mission.clock.time_s, {ground->x, ground->z});
+  call.azimuth_mil = std::round(azimuth);
+  call.distance_m = std::round(distance / 10.0) * 10.0;
+  call.grid = {std::round(ground->x), std::round(ground->z)};
+}
+
 void drawLocation(const PanelContext& ui, CallForm& call, int observer) {
   const Box box = formRow(ui, "Location");
   const ImVec2 below = ImGui::GetCursorScreenPos();
@@ -115,6 +132,11 @@ void drawLocation(const PanelContext& ui, CallForm& call, int observer) {
   if (chip(ui, "pick", "pick target", ui.state.mission.click == GroundClick::call_for_fire, "The next click on the ground is the target")) {
     ui.state.mission.click = GroundClick::call_for_fire;
     if (call.locate == Locate::shift) call.locate = Locate::grid;
+  }
+  const render::MissionCamera& camera = ui.session.mission().view.camera;
+  if (camera.kind == render::MissionCamera::Kind::observer) {
+    ImGui::SameLine();
+    if (chip(ui, "reticle", "from the reticle", false, "Azimuth and distance of the ground in the middle of the glass")) readReticle(ui, call, observer);
   }
   ImGui::PopStyleVar();
   ImGui::SetCursorScreenPos(below);

@@ -20,7 +20,7 @@ std::string selectedBattery(const MissionDocument& document) {
 
 }  // namespace
 
-bool useGroundClick(const PanelContext& ui, const Place& at) {
+bool useGroundClick(const PanelContext& ui, const Place& at, const std::string& vehicle_there) {
   MissionUi& my = ui.state.mission;
   MissionSession& mission = ui.session.mission();
   MissionDocument& document = mission.document;
@@ -32,6 +32,7 @@ bool useGroundClick(const PanelContext& ui, const Place& at) {
     case GroundClick::vehicle: ui.session.took(document.add("Add vehicle", [&](Scenario& s) { return addVehicle(s, my.click_type, whole); })); break;
     case GroundClick::gun: ui.session.took(document.add("Add gun", [&](Scenario& s) { return addGun(s, selectedBattery(document), whole); })); break;
     case GroundClick::observer: ui.session.took(document.add("Add observer", [&](Scenario& s) { return addObserver(s, whole); })); break;
+    case GroundClick::group: ui.session.took(document.add("Add group", [&](Scenario& s) { return addGroup(s, my.click_type, whole); })); break;
     case GroundClick::goal:
       ui.session.took(document.edit("Add goal", {}, [&](Scenario& s) {
         for (VehicleSetup& vehicle : s.vehicles)
@@ -52,7 +53,7 @@ bool useGroundClick(const PanelContext& ui, const Place& at) {
       break;
     }
     case GroundClick::shoot:
-      if (document.selected().kind == Kind::vehicle) ui.session.took(mission.shoot(document.selected().id, at, {}));
+      if (document.selected().kind == Kind::vehicle) ui.session.took(mission.shoot(document.selected().id, at, vehicle_there));
       break;
   }
   return true;
@@ -62,6 +63,7 @@ std::string groundClickHint(const PanelContext& ui) {
   switch (ui.state.mission.click) {
     case GroundClick::select: return ui.session.mission().ruler.active ? "Click two points of the ground; Escape ends." : std::string();
     case GroundClick::vehicle: return "Click where the vehicle starts; Escape cancels.";
+    case GroundClick::group: return "Click the middle of the vehicles' area; Escape cancels.";
     case GroundClick::gun: return "Click where the gun stands; Escape cancels.";
     case GroundClick::observer: return "Click where the observer stands; Escape cancels.";
     case GroundClick::goal: return "Click the goals in turn; Escape ends.";
@@ -73,7 +75,7 @@ std::string groundClickHint(const PanelContext& ui) {
 
 bool dragObject(const PanelContext& ui, bool pressed, const std::optional<ObjectRef>& under, const std::optional<Place>& ground, bool held) {
   MissionUi::Drag& drag = ui.state.mission.drag;
-  if (pressed) drag = under && ground ? MissionUi::Drag{*under, *ground, true, false, ImGui::GetIO().MousePos} : MissionUi::Drag{};
+  if (pressed) drag = under && ground ? MissionUi::Drag{ui.session.mission().editable(*under), *ground, true, false, ImGui::GetIO().MousePos} : MissionUi::Drag{};
   if (!held) drag = {};
   if (!drag.pressed || !ground) return drag.moving;
   const ImVec2 now = ImGui::GetIO().MousePos;

@@ -33,7 +33,7 @@ std::optional<Label> labelOf(const PanelContext& ui, const Box& box, const rende
   switch (mark.kind) {
     case MarkKind::vehicle: {
       const VehicleRecord& vehicle = recording.vehicles[index];
-      if (ownerOf(recording, mark.index).kind == ObjectRef::Kind::observer) return std::nullopt;
+      if (mission.owner(mark.index).kind == ObjectRef::Kind::observer) return std::nullopt;
       out.text = vehicle.id;
       out.colour = vehicle.destroyedAt(t) ? ui.theme.dim : sideColour(ui, vehicle.type.side);
       out.rank = mission.selectedVehicle() == mark.index ? 0 : vehicle.destroyedAt(t) ? 6 : 3;

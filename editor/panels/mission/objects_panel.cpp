@@ -19,7 +19,7 @@ struct Line {
   Side side = Side::friendly;
   std::string detail;
   bool destroyed = false, indented = false;
-  int vehicle = -1;  ///< of a group: its index in the recording
+  int vehicle = -1;  ///< index in the recording
   std::string name;  ///< shown; the reference's id for most
 };
 
@@ -38,10 +38,9 @@ std::vector<Line> vehicleLines(const MissionSession& mission, const std::string&
   const Recording& recording = *mission.recording();
   for (int i = 0; i < static_cast<int>(recording.vehicles.size()); ++i) {
     const VehicleRecord& record = recording.vehicles[static_cast<std::size_t>(i)];
-    const ObjectRef owner = ownerOf(recording, i);
     // An observer's own vehicle is listed as the observer.
-    if (owner.kind == Kind::observer || (!contains(record.id, word) && !contains(record.type.name, word))) continue;
-    out.push_back({owner, symbolOf(record.type.side), record.type.side, conditionOf(mission, i), record.destroyedAt(mission.clock.time_s), false, i, record.id});
+    if (mission.owner(i).kind == Kind::observer || (!contains(record.id, word) && !contains(record.type.name, word))) continue;
+    out.push_back({mission.owner(i), symbolOf(record.type.side), record.type.side, {}, false, false, i, record.id});
   }
   return out;
 }
@@ -70,18 +69,34 @@ std::vector<Line> gunLines(const MissionSession& mission, const std::string& wor
   return out;
 }
 
+std::vector<Line> groupLines(const MissionSession& mission, const std::string& word) {
+  std::vector<Line> out;
+  const auto types = vehicleTypes(mission.document.scenario());
+  for (const VehicleGroup& group : mission.document.scenario().groups) {
+    if (!contains(group.id, word)) continue;
+    const auto type = std::ranges::find(types, group.type, &VehicleType::index);
+    const Side side = type == types.end() ? Side::neutral : type->side;
+    out.push_back({{Kind::group, group.id}, symbolOf(side), side, std::to_string(group.count) + (type == types.end() ? "" : " " + type->name), false, false, -1, group.id});
+  }
+  return out;
+}
+
 void choose(const PanelContext& ui, const Line& line) {
   MissionSession& mission = ui.session.mission();
   mission.document.select(line.ref);
   ui.state.mission.seen = mission.document.selected();
 }
 
-void drawLine(const PanelContext& ui, const Line& line) {
+void drawLine(const PanelContext& ui, Line line) {
   MissionSession& mission = ui.session.mission();
+  if (line.ref.kind == Kind::vehicle) {
+    line.detail = conditionOf(mission, line.vehicle);
+    line.destroyed = line.detail == "destroyed";
+  }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(24);
-  const bool chosen = mission.document.selected() == line.ref && (line.ref.kind != Kind::group || mission.selectedVehicle() == line.vehicle || line.vehicle < 0);
-  const std::string name = std::string(line.ref.kind == Kind::group ? "vehicle" : kindName(line.ref.kind)) + ':' + line.name;
+  const bool chosen = mission.document.selected() == line.ref;
+  const std::string name = std::string(kindName(line.ref.kind)) + ':' + line.name;
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("##line", ImVec2(width, height));
   ui.item(name);
@@ -140,6 +155,7 @@ void drawAddMenu(const PanelContext& ui) {
   };
   entry("Observer", GroundClick::observer, 0);
   entry("Gun", GroundClick::gun, 0);
+  entry("Ten vehicles at random", GroundClick::group, 51);
   ImGui::Separator();
   for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) entry(type.name.empty() ? "Type " + std::to_string(type.index) : type.name, GroundClick::vehicle, type.index);
   ImGui::EndPopup();
@@ -190,6 +206,7 @@ void drawObjects(const PanelContext& ui) {
   drawMissionLine(ui);
   if (const auto lines = observerLines(mission, my.search); !lines.empty()) drawLines(ui, "Observers", lines);
   if (const auto lines = gunLines(mission, my.search); !lines.empty()) drawLines(ui, "Guns", lines);
+  if (const auto lines = groupLines(mission, my.search); !lines.empty()) drawLines(ui, "Groups", lines);
   if (mission.recording() != nullptr)
     if (const auto lines = vehicleLines(mission, my.search); !lines.empty()) drawLines(ui, "Vehicles", lines);
   if (allNames(mission.shownScenario()).empty()) {

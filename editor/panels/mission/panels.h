@@ -44,8 +44,8 @@ Symbol symbolOf(Side side);
 void drawSymbol(const PanelContext& ui, Symbol symbol, ImVec2 centre, float size, ImU32 colour, bool destroyed);
 
 /// What a click on the ground means now: something is placed, a call for fire is given its place, or nothing (the caller selects).
-/// True if the click was used.
-bool useGroundClick(const PanelContext& ui, const Place& at);
+/// `vehicle` is the id of the one that lies there. True if the click was used.
+bool useGroundClick(const PanelContext& ui, const Place& at, const std::string& vehicle = {});
 /// What the pointer waits for, for the picture's plate; empty if it only selects.
 std::string groundClickHint(const PanelContext& ui);
 

@@ -41,19 +41,13 @@ void circle(ImDrawList& list, const PlanView& view, const Place& centre, double 
   if (radius > 2.0f && radius < 40000.0f) list.AddCircle(view.pixel(centre), radius, colour, std::clamp(static_cast<int>(radius), 24, 256), width);
 }
 
-/// Reach of the selected gun or battery, else of all guns: one ring per battery.
+/// Reach of the selected gun or battery, as their weapon gives it; of all of them with the range rings on.
 void drawReach(const PanelContext& ui, const PlanView& view) {
   const MissionSession& mission = ui.session.mission();
   const Recording& recording = *mission.recording();
   const ObjectRef& selected = mission.document.selected();
+  const std::vector<double>& reach = mission.reach();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  // How far a battery has shot is known from its shots; before that nothing is claimed.
-  std::vector<double> reach(recording.scenario.batteries.size(), 0.0);
-  for (const ShellRecord& shell : recording.shells)
-    if (shell.gun >= 0) {
-      const auto battery = static_cast<std::size_t>(recording.guns[static_cast<std::size_t>(shell.gun)].battery);
-      if (battery < reach.size()) reach[battery] = std::max(reach[battery], std::hypot(shell.burst_m.x - shell.muzzle_m.x, shell.burst_m.z - shell.muzzle_m.z));
-    }
   for (const GunRecord& gun : recording.guns) {
     const auto battery = static_cast<std::size_t>(gun.battery);
     const bool chosen = selected == ObjectRef{ObjectRef::Kind::gun, gun.id} || (battery < reach.size() && selected == ObjectRef{ObjectRef::Kind::battery, recording.scenario.batteries[battery].id});

@@ -46,7 +46,6 @@ struct Thing {
   Side side;
   bool destroyed;
   std::string name;
-  int vehicle;
 };
 
 /// Everything on the plan, what is drawn last on top.
@@ -57,24 +56,22 @@ std::vector<Thing> things(const PanelContext& ui) {
   std::vector<Thing> out;
   for (int i = 0; i < static_cast<int>(recording.vehicles.size()); ++i) {
     const VehicleRecord& vehicle = recording.vehicles[static_cast<std::size_t>(i)];
-    const ObjectRef owner = ownerOf(recording, i);
+    const ObjectRef& owner = mission.owner(i);
     if (owner.kind == Kind::observer) continue;
     const Pose pose = vehicle.track.at(t);
-    out.push_back({owner, {pose.x_m, pose.z_m}, symbolOf(vehicle.type.side), vehicle.type.side, vehicle.destroyedAt(t), vehicle.id, i});
+    out.push_back({owner, {pose.x_m, pose.z_m}, symbolOf(vehicle.type.side), vehicle.type.side, vehicle.destroyedAt(t), vehicle.id});
   }
-  for (const GunRecord& gun : recording.guns) out.push_back({{Kind::gun, gun.id}, {gun.muzzle_m.x, gun.muzzle_m.z}, Symbol::gun, Side::friendly, false, gun.id, -1});
+  for (const GunRecord& gun : recording.guns) out.push_back({{Kind::gun, gun.id}, {gun.muzzle_m.x, gun.muzzle_m.z}, Symbol::gun, Side::friendly, false, gun.id});
   for (std::size_t i = 0; i < recording.observers.size(); ++i) {
     const Vec3 eye = recording.observerEye(i, t);
     const int vehicle = recording.observers[i].vehicle;
     const bool gone = vehicle >= 0 && recording.vehicles[static_cast<std::size_t>(vehicle)].destroyedAt(t);
-    out.push_back({{Kind::observer, recording.observers[i].id}, {eye.x, eye.z}, Symbol::observer, Side::friendly, gone, recording.observers[i].id, vehicle});
+    out.push_back({{Kind::observer, recording.observers[i].id}, {eye.x, eye.z}, Symbol::observer, Side::friendly, gone, recording.observers[i].id});
   }
   return out;
 }
 
-bool isSelected(const MissionSession& mission, const Thing& thing) {
-  return mission.document.selected() == thing.ref && (thing.ref.kind != Kind::group || thing.vehicle == mission.selectedVehicle());
-}
+bool isSelected(const MissionSession& mission, const Thing& thing) { return mission.document.selected() == thing.ref; }
 
 void drawThings(const PanelContext& ui, const PlanView& view, const std::vector<Thing>& all) {
   const MissionSession& mission = ui.session.mission();
@@ -119,7 +116,7 @@ const Thing* thingUnder(const PanelContext& ui, const PlanView& view, const std:
 
 void clicked(const PanelContext& ui, const Thing* thing, const Place& ground) {
   MissionSession& mission = ui.session.mission();
-  if (useGroundClick(ui, ground)) return;
+  if (useGroundClick(ui, ground, thing != nullptr && thing->ref.kind == Kind::vehicle ? thing->ref.id : std::string())) return;
   if (mission.ruler.active) {
     mission.ruler.pick({ground.x_m, mission.recording()->terrain.surface(ground.x_m, ground.z_m), ground.z_m});
     ui.state.mission.bottom = MissionUi::Bottom::ruler;

@@ -45,7 +45,7 @@ void drawSelectedPanel(const PanelContext& ui) {
   MissionUi& my = ui.state.mission;
   const Kind kind = ui.session.mission().document.selected().kind;
   drawTitle(ui);
-  const bool commanded = kind == Kind::observer || kind == Kind::vehicle;
+  const bool commanded = kind == Kind::observer || kind == Kind::vehicle;  // a single one of a group too
   std::vector<std::string> tabs{"Parameters", kind == Kind::observer ? "Mind" : kind == Kind::mission ? "Summary" : "State"};
   if (commanded) tabs.emplace_back(kind == Kind::observer ? "Fire" : "Drive");
   int chosen = static_cast<int>(my.right);

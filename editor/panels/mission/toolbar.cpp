@@ -53,6 +53,7 @@ void eachToggle(const PanelContext& ui, const Draw& draw) {
   MissionSession& mission = ui.session.mission();
   for (const OverlayEntry& entry : kOverlays)
     draw(entry.label, entry.name, mission.view.overlays.*entry.flag, entry.tip, [&] { mission.view.overlays.*entry.flag = !(mission.view.overlays.*entry.flag); });
+  draw("My burst", "my burst", mission.own_burst, "Bursts show the preset that is open in the explosion mode, as it is edited", [&] { mission.own_burst = !mission.own_burst; });
   draw("Names", "labels", ui.state.mission.labels, "Names of what is seen", [&] { ui.state.mission.labels = !ui.state.mission.labels; });
 }
 

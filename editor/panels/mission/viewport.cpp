@@ -122,7 +122,7 @@ std::optional<ObjectRef> refOf(const MissionSession& mission, const render::Miss
   const auto index = static_cast<std::size_t>(mark->index);
   if (mark->kind == MarkKind::gun && index < recording.guns.size()) return ObjectRef{ObjectRef::Kind::gun, recording.guns[index].id};
   if (mark->kind == MarkKind::observer && index < recording.observers.size()) return ObjectRef{ObjectRef::Kind::observer, recording.observers[index].id};
-  if (mark->kind == MarkKind::vehicle) return ownerOf(recording, mark->index);
+  if (mark->kind == MarkKind::vehicle && index < recording.vehicles.size()) return mission.owner(mark->index);
   return std::nullopt;
 }
 
@@ -139,7 +139,8 @@ bool measured(const PanelContext& ui, const Vec3& ray) {
 void clicked(const PanelContext& ui, const render::MissionMark* mark, const std::optional<Vec3>& ground, const Vec3& ray) {
   MissionSession& mission = ui.session.mission();
   if (ground && ui.state.mission.click != GroundClick::select) {
-    useGroundClick(ui, {ground->x, ground->z});
+    const bool vehicle = mark != nullptr && mark->kind == MarkKind::vehicle;
+    useGroundClick(ui, {ground->x, ground->z}, vehicle ? mission.recording()->vehicles[static_cast<std::size_t>(mark->index)].id : std::string());
     return;
   }
   if (mission.ruler.active && ground) {
@@ -150,6 +151,8 @@ void clicked(const PanelContext& ui, const render::MissionMark* mark, const std:
   if (mark != nullptr && mark->kind == MarkKind::shell) return mission.look(CameraKind::follow, mark->index);
   const auto ref = refOf(mission, mark);
   if (!ref && measured(ui, ray)) return;
+  // Who looks through the glass keeps looking when he clicks beside things.
+  if (!ref && mission.view.camera.kind == CameraKind::observer) return;
   mission.document.select(ref.value_or(ObjectRef{}));
 }
 
