@@ -2,6 +2,7 @@
 
 #include "app/commands/progress.h"
 #include "app/gl/context.h"
+#include "app/render/png_encoder.h"
 #include "app/render/renderer.h"
 #include "sim/core/text.h"
 
@@ -71,7 +72,7 @@ class Writer {
   Expected<void> write(render::Image image, const fs::path& file) {
     if (auto done = finish(); !done) return done;
     file_ = file;
-    running_ = std::async(std::launch::async, [picture = std::move(image), file] { return render::writePng(picture, file); });
+    running_ = std::async(std::launch::async, [this, picture = std::move(image), file] { return encoder_.write(picture, file); });
     return {};
   }
   /// Waits for the picture under way.
@@ -85,6 +86,7 @@ class Writer {
  private:
   std::vector<fs::path>& written_;
   fs::path file_;
+  render::PngEncoder encoder_;
   std::future<Expected<void>> running_;
 };
 

@@ -48,7 +48,7 @@ class RenderCall {
   Expected<void> checkOptions() const;
   Expected<void> makeItems();
   Expected<void> draw();
-  Expected<void> save(std::size_t item, const render::Image& image);
+  Expected<void> save(std::size_t item, const render::Image& image, render::PngEncoder& encoder);
   Expected<void> writeReports() const;
   std::string text() const;
   std::string json(double seconds) const { return summaryJson({&plan_, &o_.files, &items_, golden_ ? &*golden_ : nullptr, machine_.driver, machine_.processor, seconds}); }
@@ -126,12 +126,12 @@ Expected<void> RenderCall::makeItems() {
   return {};
 }
 
-Expected<void> RenderCall::save(std::size_t index, const render::Image& image) {
+Expected<void> RenderCall::save(std::size_t index, const render::Image& image, render::PngEncoder& encoder) {
   if (golden_) {
     if (auto judged = golden_->judge(index, image); !judged || copies_.empty()) return judged;
   }
   const WorkItem& item = copies_.empty() ? items_[index] : copies_[index];
-  const auto bytes = encoded(image, item);
+  const auto bytes = encoded(image, item, encoder);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return writeFileAtomically(item.path, std::as_bytes(std::span(*bytes)));
 }
@@ -144,7 +144,7 @@ Expected<void> RenderCall::draw() {
   if (!renderer) return tl::unexpected<Error>(renderer.error());
   machine_ = {(*context)->description(), gl::processorClass()};
   if (!o_.golden.empty()) golden_.emplace(GoldenCheck::Settings{o_.golden, machine_, tolerance_, o_.update_golden, !o_.report.empty()}, items_);
-  RenderRun run{plan_, presets_, o_.files, items_, **renderer, [this](std::size_t item, const render::Image& image) { return save(item, image); }, progress_};
+  RenderRun run{plan_, presets_, o_.files, items_, **renderer, [this](std::size_t item, const render::Image& image, render::PngEncoder& encoder) { return save(item, image, encoder); }, progress_};
   return drawItems(run);
 }
 

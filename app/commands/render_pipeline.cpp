@@ -15,11 +15,12 @@ constexpr std::size_t kFramesAhead = 3;
 /// Bytes of pictures that may wait for encoding; fewer threads encode very large pictures.
 constexpr std::size_t kWaitingBytes = 512u << 20;
 
-/// Encoding threads, so that the pictures under way (two per thread and two more) stay within the bytes.
+/// Encoding threads, so that the pictures under way (per thread one waiting, one at work and one kept by the encoder, and two more)
+/// stay within the bytes.
 int writersFor(const PictureJob& job) {
   const std::size_t bytes = 4 * static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
   const std::size_t pictures = kWaitingBytes / bytes;
-  return pictures < 4 ? 1 : static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(job.threads), (pictures - 2) / 2));
+  return pictures < 5 ? 1 : static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(job.threads), (pictures - 2) / 3));
 }
 
 struct Finished {
@@ -57,9 +58,10 @@ class Writers {
 
  private:
   void work() {
+    render::PngEncoder encoder;
     while (auto picture = queue_.pop()) {
       if (failed_) continue;
-      auto result = save_(picture->index, picture->image);
+      auto result = save_(picture->index, picture->image, encoder);
       if (result) {
         written_[picture->index] = 1;
         ++done_;

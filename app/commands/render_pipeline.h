@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/commands/render_plan.h"
+#include "app/render/png_encoder.h"
 
 #include <functional>
 
@@ -21,8 +22,8 @@ struct PictureJob {
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
                             const std::function<Expected<void>(const Shot&, render::Image&)>& take);
 
-/// Does something with picture `index` of the shots, such as encoding and writing it.
-using SavePicture = std::function<Expected<void>(std::size_t index, const render::Image& image)>;
+/// Does something with picture `index` of the shots, such as encoding and writing it. Each thread that saves has an encoder.
+using SavePicture = std::function<Expected<void>(std::size_t index, const render::Image& image, render::PngEncoder& encoder)>;
 
 /// Draws the shots and saves each; saving runs on `job.threads` threads behind a bounded queue, so that memory does not grow
 /// with the number of pictures. `saved` gets 1 for each picture that was, also when an error ends the run. `progress` hears

@@ -46,7 +46,7 @@ class PresetRun {
     std::vector<Shot> shots;
     for (const std::size_t item : items_) shots.push_back(shotOf(run_.plan, run_.items[item].number, job.explosion->duration_s()));
     std::vector<char> saved;
-    auto result = savePictures(run_.renderer, job, shots, [&](std::size_t i, const render::Image& image) { return run_.save(items_[i], image); }, [&](std::size_t done) { progress_.show(done_ + done); }, saved);
+    auto result = savePictures(run_.renderer, job, shots, [&](std::size_t i, const render::Image& image, render::PngEncoder& encoder) { return run_.save(items_[i], image, encoder); }, [&](std::size_t done) { progress_.show(done_ + done); }, saved);
     for (std::size_t i = 0; i < saved.size(); ++i)
       if (saved[i] != 0) run_.items[items_[i]].state = FileState::written;
     return result;
@@ -100,7 +100,8 @@ class PresetRun {
   }
 
   Expected<void> saveOne(const render::Image& image) {
-    auto saved = run_.save(items_.front(), image);
+    render::PngEncoder encoder(render::PngEncoder::Keep::nothing);
+    auto saved = run_.save(items_.front(), image, encoder);
     if (!saved) return saved;
     run_.items[items_.front()].state = FileState::written;
     progress_.show(done_ + 1);

@@ -83,7 +83,12 @@ void skipFinished(std::vector<WorkItem>& items, int threads) {
 }
 
 Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item) {
-  auto bytes = render::encodePng(image);
+  render::PngEncoder alone(render::PngEncoder::Keep::nothing);
+  return encoded(image, item, alone);
+}
+
+Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item, render::PngEncoder& encoder) {
+  auto bytes = encoder.encode(image);
   if (bytes) render::insertPngText(*bytes, render::kRecipeKeyword, item.recipe);
   return bytes;
 }

@@ -2,6 +2,7 @@
 
 #include "app/commands/render_output.h"
 #include "app/commands/render_plan.h"
+#include "app/render/png_encoder.h"
 
 #include <filesystem>
 #include <string>
@@ -34,7 +35,8 @@ bool isFinished(const WorkItem& item);
 /// Marks the finished files as skipped.
 void skipFinished(std::vector<WorkItem>& items, int threads);
 
-/// A picture as PNG with its recipe inside.
+/// A picture as PNG with its recipe inside; the same bytes by the encoder of a sequence as without one.
 Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item);
+Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item, render::PngEncoder& encoder);
 
 }  // namespace npsee::commands

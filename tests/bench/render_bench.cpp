@@ -1,6 +1,7 @@
 // Drawing, read-back and PNG on the offscreen driver. CPU time is that of all threads together, which other work on the
 // machine disturbs least.
 #include "app/gl/context.h"
+#include "app/render/png_encoder.h"
 #include "app/render/renderer.h"
 #include "tests/support/scene.h"
 
@@ -64,6 +65,21 @@ void encodePicture(benchmark::State& state) {
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(encodePicture)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// Two pictures in turn that share sky and ground, as those of a sequence do.
+void encodeSequence(benchmark::State& state) {
+  std::vector<Image> images;
+  for (const double size_m : {0.4, 0.5}) {
+    test::HandMade made;
+    made.addDome(Form::tetrahedron, static_cast<std::size_t>(state.range(0)), 20.0, size_m);
+    images.push_back(std::move(*renderer().drawToImage(sceneOf(made), kCamera, kWidth, kHeight)));
+  }
+  PngEncoder encoder;
+  std::size_t bytes = 0, turn = 0;
+  for (auto _ : state) bytes = encoder.encode(images[++turn % 2])->size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(encodeSequence)->Arg(100)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void startContextAndFirstPicture(benchmark::State& state) {
   test::HandMade made;

@@ -39,6 +39,32 @@ TEST_F(RenderPipeline, ShardsShareTheWorkAndGiveTheSameBytesInAnyOrder) {
   EXPECT_EQ(contents("parts"), contents("whole"));
 }
 
+// Pictures of many compressed bands, most of which are as they were in the frame before.
+TEST_F(RenderPipeline, AFramesBytesDependOnNeitherThreadsNorTheFramesBeforeIt) {
+  const auto large = [&](const std::string& name, Words more) {
+    more.insert(more.begin(), {preset("small"), "--size", "640x360", "-o", folder(name)});
+    return render(more);
+  };
+  const Words sequence{"--frames", "0:0.8", "--fps", "10"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), sequence.begin(), sequence.end());
+    return more;
+  };
+  ASSERT_EQ(large("one", with({"-j", "1"})).exit_code, 0);
+  const auto one = contents("one");
+  ASSERT_EQ(one.size(), 8u);
+  EXPECT_EQ(large("five", with({"-j", "5"})).exit_code, 0);
+  EXPECT_EQ(contents("five"), one);
+  for (const char* shard : {"3/3", "1/3", "2/3"}) EXPECT_EQ(large("parts", with({"--shard", shard, "-j", "2"})).exit_code, 0);
+  EXPECT_EQ(contents("parts"), one);
+  // Left are frames that do not follow each other.
+  for (const char* name : {"small_0001.png", "small_0004.png", "small_0005.png"}) fs::remove(folder_ / (std::string("five/") + name));
+  EXPECT_EQ(lines(large("five", with({"--resume"})).out), 3u);
+  EXPECT_EQ(contents("five"), one);
+  EXPECT_EQ(large("alone", {"--time", "0.4"}).exit_code, 0);
+  EXPECT_EQ(contents("alone").begin()->second, one.at("small_0004.png"));
+}
+
 TEST_F(RenderPipeline, MoreShardsThanFilesAreNoFault) {
   EXPECT_EQ(small({"--shard", "2/9", "-o", folder_ / "a.png"}).exit_code, 0);
   EXPECT_TRUE(files().empty());

@@ -1,10 +1,12 @@
 #include "app/render/image.h"
+#include "app/render/png_encoder.h"
 #include "app/render/png_text.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <random>
 
 namespace npsee::render {
 namespace {
@@ -33,6 +35,42 @@ TEST(Png, PicturesSurviveWithAndWithoutAlpha) {
 }
 
 TEST(Png, EqualPicturesGiveEqualBytes) { EXPECT_EQ(*encodePng(gradient(64, 48, true)), *encodePng(gradient(64, 48, true))); }
+
+Image noise(int width, int height) {
+  std::mt19937 random(7);
+  Image image{width, height, {}};
+  image.rgba.resize(4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (std::uint8_t& value : image.rgba) value = static_cast<std::uint8_t>(random() & 255u);
+  return image;
+}
+
+TEST(Png, PicturesOfAnyShapeAndContentSurvive) {
+  const test::TemporaryFolder folder;
+  // One pixel; bands of one row, of some rows with a remainder, of all rows; nothing that could be compressed.
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(16384, 3), std::pair(1280, 50), std::pair(3, 9000), std::pair(700, 700)}) {
+    const Image image = noise(width, height);
+    ASSERT_TRUE(writePng(image, folder / "a.png"));
+    const auto back = readPng(folder / "a.png");
+    ASSERT_TRUE(back) << width << " x " << height << ": " << back.error().text();
+    EXPECT_EQ(back->rgba, image.rgba) << width << " x " << height;
+  }
+}
+
+TEST(Png, AnEncoderGivesThePicturesOwnBytesWhateverCameBefore) {
+  PngEncoder encoder;
+  Image image = gradient(1280, 100, false);
+  std::mt19937 random(11);
+  for (int turn = 0; turn < 30; ++turn) {
+    // Other pixels here and there, sometimes an alpha below 255 that makes it another kind of picture, sometimes another size.
+    for (int change = turn % 4; change > 0; --change) image.rgba[random() % image.rgba.size()] ^= static_cast<std::uint8_t>(1u << (random() % 8u));
+    if (turn == 10) image = gradient(1280, 100, true);
+    if (turn == 17) image = gradient(640, 200, true);
+    if (turn == 23) image = gradient(640, 200, false);
+    const auto in_sequence = encoder.encode(image), alone = encodePng(image);
+    ASSERT_TRUE(in_sequence && alone);
+    EXPECT_EQ(*in_sequence, *alone) << turn;
+  }
+}
 
 TEST(Png, AnEmptyPictureIsRefused) {
   EXPECT_FALSE(encodePng(Image{}));
