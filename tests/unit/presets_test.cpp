@@ -1,11 +1,17 @@
+#include <npsee/explosion.h>
 #include <npsee/parameters.h>
 
+#include "sim/core/text.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <sys/stat.h>
+#include <vector>
 
 namespace npsee {
 namespace {
@@ -31,15 +37,65 @@ TEST(Presets, ATreeOfLayersSurvives) {
   EXPECT_EQ(*read, preset);
 }
 
+/// The shipped presets' files, sorted.
+std::vector<std::filesystem::path> shippedFiles() {
+  std::vector<std::filesystem::path> out;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(NPSEE_SOURCE_DIR) + "/presets"))
+    if (entry.is_regular_file()) out.push_back(entry.path());
+  std::ranges::sort(out);
+  return out;
+}
+
 TEST(Presets, EveryShippedPresetIsValidAndInTheFormTheProgramWrites) {
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(NPSEE_SOURCE_DIR) + "/presets")) {
-    const auto preset = loadPreset(entry.path());
+  for (const auto& file : shippedFiles()) {
+    const auto preset = loadPreset(file);
     ASSERT_TRUE(preset) << preset.error().text();
-    EXPECT_EQ(presetText(*preset), test::slurp(entry.path().string())) << entry.path();
-    ++count;
+    EXPECT_EQ(presetText(*preset), test::slurp(file.string())) << file;
   }
-  EXPECT_GT(count, 0);
+}
+
+TEST(Presets, TheLibraryHasSixteenOrMoreEachWithATitleOfItsOwnADescriptionAndTags) {
+  std::set<std::string> titles;
+  for (const auto& file : shippedFiles()) {
+    const auto preset = loadPreset(file);
+    ASSERT_TRUE(preset) << preset.error().text();
+    EXPECT_FALSE(preset->title.empty()) << file;
+    EXPECT_TRUE(titles.insert(preset->title).second) << file << ": another preset is called \"" << preset->title << "\" too";
+    EXPECT_GT(preset->description.size(), 60u) << file;
+    EXPECT_GE(splitAt(preset->tags, ',').size(), 3u) << file << ": " << preset->tags;
+  }
+  EXPECT_GE(titles.size(), 16u);
+}
+
+TEST(Presets, EveryShippedPresetHasASmallThumbnailAndThereAreNoOthers) {
+  std::set<std::string> names;
+  for (const auto& file : shippedFiles()) {
+    const std::string name = file.filename().string().substr(0, file.filename().string().find('.'));
+    names.insert(name + ".png");
+    const std::string png = test::slurp((file.parent_path() / "thumbnails" / (name + ".png")).string());
+    ASSERT_GT(png.size(), 24u) << name << " has no thumbnail: run scripts/make_gallery.py";
+    // Signature, and the header's width and height: 256 x 160.
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\1\0\0\0\0\xa0", 8)) << name;
+    EXPECT_LT(png.size(), 80000u) << name;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(NPSEE_SOURCE_DIR) + "/presets/thumbnails"))
+    EXPECT_TRUE(names.contains(entry.path().filename().string())) << entry.path();
+}
+
+// Nothing is on the ground at time 0 that is not there to be seen: a viewer who opens a preset sees something at once.
+TEST(Presets, EveryShippedPresetShowsSomethingAtItsFirstMoment) {
+  for (const auto& file : shippedFiles()) {
+    const auto preset = loadPreset(file);
+    ASSERT_TRUE(preset) << preset.error().text();
+    const auto explosion = Explosion::compile(*preset);
+    ASSERT_TRUE(explosion) << explosion.error().text();
+    Frame frame;
+    (*explosion)->at(0.0, frame, kLook);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < frame.count; ++i) seen += frame.size[i] > 0.0f && frame.a[i] > 0.0f ? 1 : 0;
+    EXPECT_GT(seen, 0u) << file;
+  }
 }
 
 TEST(Presets, EveryFaultIsReportedWithFileLineAndPointer) {
