@@ -42,6 +42,12 @@ MOMENTS = {
     "white_smoke_shell": "2.8",
 }
 BEHIND = {"firework_crossette": NIGHT, "firework_peony": NIGHT, "firework_willow": NIGHT}
+# The whole effect otherwise; a firework's ground and its way up would make its flower small.
+CAMERAS = {
+    "firework_crossette": "eye=27,36,80 target=0,41.5,0",
+    "firework_peony": "eye=26,36,76 target=0,41.5,0",
+    "firework_willow": "eye=26,34,80 target=0,36,0",
+}
 
 INTRODUCTION = """# The shipped presets
 
@@ -60,7 +66,7 @@ def names() -> list[str]:
 def draw(npsee: str, name: str, how: list[str]) -> bool:
     """Draws one thumbnail, or only verifies it; false where it is not up to date."""
     command = [npsee, "render", str(ROOT / "presets" / f"{name}.npsee.json"), "-o", str(THUMBNAILS / f"{name}.png"), "--size", SIZE]
-    command += ["--time", MOMENTS.get(name, "25%"), "--background", BEHIND.get(name, "sky"), "--progress", "never"]
+    command += ["--time", MOMENTS.get(name, "25%"), "--background", BEHIND.get(name, "sky"), "--camera", CAMERAS.get(name, "auto"), "--progress", "never"]
     done = subprocess.run(command + how, stdout=subprocess.DEVNULL)
     if done.returncode > 1 or (done.returncode == 1 and how != ["--verify"]):
         sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
