@@ -30,6 +30,7 @@ out vec2 v_disc;          // -1..1
 out float v_above;        // height over the ground, m
 flat out float v_clear;
 flat out float v_radius;  // m
+flat out vec3 v_velocity; // world m/s
 
 const float kShutter = 1.0 / 50.0;  // s, what a streak's length shows of its motion
 
@@ -62,6 +63,7 @@ void main() {
   v_noise = vec2(fract(a_seed * 17.0), fract(a_seed * 61.0));
   v_colour = vec4(linearFromSrgb(vec3(a_r, a_g, a_b)), opacity);
   v_kind = a_kind;
+  v_velocity = vec3(a_vx, a_vy, a_vz);
   v_disc = corner;
   v_above = place.y - groundUnder(place.xz);
   v_clear = clearTo(length(to_eye));

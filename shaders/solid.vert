@@ -17,6 +17,7 @@ layout(location = 10) in float a_qz;
 layout(location = 11) in float a_qw;
 layout(location = 12) in vec3 a_position;  // mesh, body at size 1
 layout(location = 13) in vec3 a_normal;    // mesh, body
+layout(location = 15) in vec3 a_velocity;  // world m/s; only where surfaces are drawn
 
 uniform mat4 u_view_projection;  // world to clip
 uniform vec3 u_eye;              // world m
@@ -26,6 +27,7 @@ uniform float u_two_sided;       // 1: the normal is turned towards the eye
 
 flat out vec4 v_flat;  // premultiplied light and opacity of the facet whose last corner this is
 out vec4 v_smooth;
+flat out vec3 v_velocity;  // world m/s
 
 void main() {
   vec4 q = vec4(a_qx, a_qy, a_qz, a_qw);
@@ -42,6 +44,7 @@ void main() {
   light = mix(u_haze_colour, light, clearTo(distance(centre, u_eye)));
   v_flat = vec4(light * a_a, a_a);
   v_smooth = v_flat;
+  v_velocity = a_velocity;
   gl_ClipDistance[0] = clipDistance(place.y);
   gl_Position = u_view_projection * vec4(place, 1.0);
 }

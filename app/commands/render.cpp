@@ -48,7 +48,7 @@ class RenderCall {
   Expected<void> checkOptions() const;
   Expected<void> makeItems();
   Expected<void> draw();
-  Expected<void> save(std::size_t item, const render::Image& image, render::PngEncoder& encoder);
+  Expected<void> save(std::size_t item, const Picture& picture, render::PngEncoder& encoder);
   Expected<void> writeReports() const;
   std::string text() const;
   std::string json(double seconds) const { return summaryJson({&plan_, &o_.files, &items_, golden_ ? &*golden_ : nullptr, machine_.driver, machine_.processor, seconds}); }
@@ -71,7 +71,7 @@ Expected<void> RenderCall::checkOptions() const {
   if (o_.golden.empty() && needs_golden) return clash("--update-golden, --report, --junit and tolerances belong to a comparison with goldens.", "Add --golden DIR, or compare files with `npsee compare`.");
   if (o_.golden.empty() && o_.output.empty()) return clash("-o (--output) is missing: where do the pictures go?", "For example -o picture.png.");
   if (!o_.golden.empty() && (o_.resume || o_.dry_run || o_.verify)) return clash("--golden draws every picture anew.", "Leave out --resume, --dry-run and --verify.");
-  if (!o_.golden.empty() && (plan_.format != FileFormat::png || plan_.index)) return clash("goldens are PNG pictures.", "Leave out --golden, or --format and --index.");
+  if (!o_.golden.empty() && (plan_.format != FileFormat::png || plan_.floats || plan_.index)) return clash("goldens are PNG pictures of 8 bits.", "Leave out --golden, or --bits, --format and --index.");
   if (o_.verify && (o_.resume || o_.dry_run)) return clash("--verify only looks at what is there.", "Leave out --resume and --dry-run.");
   if (!o_.summary.empty() && o_.summary != "text" && o_.summary != "json") return clash("--summary " + o_.summary + ": there is no such summary.", "Write text or json.");
   if (plan_.kind == RenderKind::video && !o_.dry_run && !o_.verify)
@@ -126,12 +126,12 @@ Expected<void> RenderCall::makeItems() {
   return {};
 }
 
-Expected<void> RenderCall::save(std::size_t index, const render::Image& image, render::PngEncoder& encoder) {
+Expected<void> RenderCall::save(std::size_t index, const Picture& picture, render::PngEncoder& encoder) {
   if (golden_) {
-    if (auto judged = golden_->judge(index, image); !judged || copies_.empty()) return judged;
+    if (auto judged = golden_->judge(index, picture.image); !judged || copies_.empty()) return judged;
   }
   const WorkItem& item = copies_.empty() ? items_[index] : copies_[index];
-  const auto bytes = encoded(image, item, encoder);
+  const auto bytes = encoded(plan_, picture, item, encoder);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return writeFileAtomically(item.path, std::as_bytes(std::span(*bytes)));
 }
@@ -144,7 +144,7 @@ Expected<void> RenderCall::draw() {
   if (!renderer) return tl::unexpected<Error>(renderer.error());
   machine_ = {(*context)->description(), gl::processorClass()};
   if (!o_.golden.empty()) golden_.emplace(GoldenCheck::Settings{o_.golden, machine_, tolerance_, o_.update_golden, !o_.report.empty()}, items_);
-  RenderRun run{plan_, presets_, o_.files, items_, **renderer, [this](std::size_t item, const render::Image& image, render::PngEncoder& encoder) { return save(item, image, encoder); }, progress_};
+  RenderRun run{plan_, presets_, o_.files, items_, **renderer, [this](std::size_t item, const Picture& picture, render::PngEncoder& encoder) { return save(item, picture, encoder); }, progress_};
   return drawItems(run);
 }
 
@@ -181,6 +181,7 @@ void addRender(CLI::App& app, Outcome& outcome) {
       "  npsee render presets/classic_1993.npsee.json -o sheet.png --sheet 4x3\n"
       "  npsee render presets/classic_1993.npsee.json -o sprites.png --sheet 8x8 --size 128x128 --background transparent --index\n"
       "  npsee render presets/cascade.npsee.json -o cascade.mp4 --size 1920x1080 --fps 60\n"
+      "  npsee render presets/cascade.npsee.json -o comp/cascade_%04d.exr --frames 0:3 --fps 24 --pass colour,depth,motion --background transparent\n"
       "  npsee render presets/classic_1993.npsee.json -o template.png --template --view splines\n"
       "  npsee render a.npsee.json b.npsee.json -o folder/ --set fragments.speed_mean=40 --camera \"eye=0,10,60 target=0,8,0\"\n"
       "  npsee render presets/*.npsee.json -o frames/ --frames 0:3 --shard 2/5 --resume\n"

@@ -13,7 +13,7 @@ struct Named {
   std::string_view name;
   FileFormat format;
 };
-constexpr Named kFormats[] = {{"png", FileFormat::png}, {"mp4", FileFormat::mp4}, {"webm", FileFormat::webm}, {"gif", FileFormat::gif}};
+constexpr Named kFormats[] = {{"png", FileFormat::png}, {"exr", FileFormat::exr}, {"mp4", FileFormat::mp4}, {"webm", FileFormat::webm}, {"gif", FileFormat::gif}};
 
 std::optional<FileFormat> formatNamed(std::string_view name) {
   for (const Named& named : kFormats)
@@ -46,8 +46,8 @@ render::VideoFormat videoFormatOf(FileFormat format) {
 Expected<FileFormat> readFormat(std::string_view text, const std::string& output) {
   const std::string ending = endingIn(output);
   const auto by_ending = formatNamed(ending), named = formatNamed(text);
-  if (!text.empty() && !named) return fail(ErrorKind::usage, "--format " + std::string(text) + ": there is no such format.", "Write png, mp4, webm or gif.");
-  if (!ending.empty() && !by_ending) return fail(ErrorKind::usage, "-o " + output + ": pictures are written as .png, videos as .mp4, .webm or .gif.", "End the name in one of these.");
+  if (!text.empty() && !named) return fail(ErrorKind::usage, "--format " + std::string(text) + ": there is no such format.", "Write png, exr, mp4, webm or gif.");
+  if (!ending.empty() && !by_ending) return fail(ErrorKind::usage, "-o " + output + ": pictures are written as .png or .exr, videos as .mp4, .webm or .gif.", "End the name in one of these.");
   if (named && by_ending && *named != *by_ending) return fail(ErrorKind::usage, "--format " + std::string(text) + " and -o " + output + " contradict each other.", "Leave out --format, or change the ending.");
   return named ? *named : by_ending.value_or(FileFormat::png);
 }

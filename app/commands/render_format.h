@@ -10,7 +10,7 @@
 namespace npsee::commands {
 
 /// What `npsee render` writes.
-enum class FileFormat { png, mp4, webm, gif };
+enum class FileFormat { png, exr, mp4, webm, gif };
 
 inline bool isVideo(FileFormat format) { return format == FileFormat::mp4 || format == FileFormat::webm || format == FileFormat::gif; }
 /// ".png"

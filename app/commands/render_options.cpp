@@ -9,11 +9,13 @@ namespace {
 
 void addPictureOptions(CLI::App& command, RenderOptions& o) {
   const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type); };
-  option("-o,--output", o.output, "File to write, by its ending a picture (.png) or a video (.mp4, .webm, .gif); for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
-  option("--format", o.format, "png, mp4, webm or gif, where -o is a folder", "FORMAT");
+  option("-o,--output", o.output, "File to write, by its ending a picture (.png, .exr) or a video (.mp4, .webm, .gif); for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
+  option("--format", o.format, "png, exr, mp4, webm or gif, where -o is a folder", "FORMAT");
+  option("--bits", o.bits, "Bits per component of a PNG: 8 (default) or 16", "N");
+  option("--pass", o.passes, "What an EXR holds, with commas: colour (default; linear, premultiplied), depth (m along the viewing direction), motion (pixels to the right and up until the next frame)", "PASS,...");
   option("--time", o.time, "Moment to draw, after the burst (0.5, 500ms) or as a share of the effect's duration; 25% if left out. Several with commas: numbered pictures", "T,...");
   option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly. A video shows the whole effect if it is left out", "A:B");
-  option("--fps", o.fps, "Frames per second of a sequence or video: 30 (default), 29.97, 30000/1001", "RATE");
+  option("--fps", o.fps, "Frames per second of a sequence or video, and what motion is measured over: 30 (default), 29.97, 30000/1001", "RATE");
   option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
   option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
   option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");

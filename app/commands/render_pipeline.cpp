@@ -15,17 +15,23 @@ constexpr std::size_t kFramesAhead = 3;
 /// Bytes of pictures that may wait for encoding; fewer threads encode very large pictures.
 constexpr std::size_t kWaitingBytes = 512u << 20;
 
+/// Bytes of a picture; in single precision as many again, for encoding it.
+std::size_t bytesOf(const PictureJob& job) {
+  const std::size_t pixels = static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
+  if (!job.floats) return 4 * pixels;
+  return 2 * sizeof(float) * pixels * ((job.floats->colour ? 4u : 0u) + (job.floats->depth ? 1u : 0u) + (job.floats->motion ? 2u : 0u));
+}
+
 /// Encoding threads, so that the pictures under way (per thread one waiting, one at work and one kept by the encoder, and two more)
 /// stay within the bytes.
 int writersFor(const PictureJob& job) {
-  const std::size_t bytes = 4 * static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height);
-  const std::size_t pictures = kWaitingBytes / bytes;
+  const std::size_t pictures = kWaitingBytes / bytesOf(job);
   return pictures < 5 ? 1 : static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(job.threads), (pictures - 2) / 3));
 }
 
 struct Finished {
   std::size_t index;
-  render::Image image;
+  Picture picture;
 };
 
 /// Encodes and writes pictures on several threads. The destructor waits for all of them.
@@ -39,10 +45,10 @@ class Writers {
   Writers(const Writers&) = delete;
   Writers& operator=(const Writers&) = delete;
 
-  /// Hands a picture over; false once a picture could not be written. `image` gets the memory of one that is done.
-  bool write(std::size_t index, render::Image& image) {
-    if (!queue_.push({index, std::move(image)})) return false;
-    image = spare_.tryPop().value_or(render::Image{});
+  /// Hands a picture over; false once a picture could not be written. `picture` gets the memory of one that is done.
+  bool write(std::size_t index, Picture& picture) {
+    if (!queue_.push({index, std::move(picture)})) return false;
+    picture = spare_.tryPop().value_or(Picture{});
     return true;
   }
 
@@ -59,20 +65,20 @@ class Writers {
  private:
   void work() {
     render::PngEncoder encoder;
-    while (auto picture = queue_.pop()) {
+    while (auto finished = queue_.pop()) {
       if (failed_) continue;
-      auto result = save_(picture->index, picture->image, encoder);
+      auto result = save_(finished->index, finished->picture, encoder);
       if (result) {
-        written_[picture->index] = 1;
+        written_[finished->index] = 1;
         ++done_;
-        spare_.push(std::move(picture->image));
+        spare_.push(std::move(finished->picture));
         continue;
       }
       const std::lock_guard lock(mutex_);
       failed_ = true;
-      if (!error_ || picture->index < error_index_) {
+      if (!error_ || finished->index < error_index_) {
         error_ = std::move(result.error());
-        error_index_ = picture->index;
+        error_index_ = finished->index;
       }
       queue_.close();
     }
@@ -80,7 +86,7 @@ class Writers {
 
   const SavePicture& save_;
   BoundedQueue<Finished> queue_;
-  BoundedQueue<render::Image> spare_;  // never full: there are fewer pictures about than it holds
+  BoundedQueue<Picture> spare_;  // never full: there are fewer pictures about than it holds
   std::vector<char> written_;          // one byte each, so that threads do not share
   std::atomic<bool> failed_ = false;
   std::atomic<std::size_t> done_ = 0;
@@ -93,7 +99,7 @@ class Writers {
 }  // namespace
 
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
-                            const std::function<Expected<void>(const Shot&, render::Image&)>& take) {
+                            const std::function<Expected<void>(const Shot&, Picture&)>& take) {
   BoundedQueue<Frame> ahead(kFramesAhead), spare(kFramesAhead + 2);
   std::jthread simulation([&] {
     for (const Shot& shot : shots) {
@@ -103,7 +109,7 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
     }
   });
   Expected<void> result;
-  render::Image image;
+  Picture picture;
   for (const Shot& shot : shots) {
     if (job.stopped && job.stopped()) {
       result = fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there.");
@@ -112,8 +118,8 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
     std::optional<Frame> frame = ahead.pop();
     render::Scene scene = job.scene;
     scene.frame = &*frame;
-    result = renderer.drawToImage(scene, job.camera, job.width, job.height, image);
-    if (result) result = take(shot, image);
+    result = job.floats ? renderer.drawToFloats(scene, job.camera, job.width, job.height, *job.floats, picture.floats) : renderer.drawToImage(scene, job.camera, job.width, job.height, picture.image);
+    if (result) result = take(shot, picture);
     if (!result) break;
     spare.push(std::move(*frame));
   }
@@ -126,9 +132,9 @@ Expected<void> savePictures(render::Renderer& renderer, const PictureJob& job, c
                             const std::function<void(std::size_t done)>& progress, std::vector<char>& saved) {
   Writers writers(writersFor(job), shots.size(), save);
   std::size_t next = 0;
-  auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, render::Image& image) -> Expected<void> {
+  auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, Picture& picture) -> Expected<void> {
     // The writers know the reason; any error ends the drawing.
-    if (!writers.write(next++, image)) return fail(ErrorKind::output, "a picture could not be written.");
+    if (!writers.write(next++, picture)) return fail(ErrorKind::output, "a picture could not be written.");
     progress(writers.done());
     return {};
   });

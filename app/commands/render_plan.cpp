@@ -199,6 +199,31 @@ Expected<void> checkVideo(const RenderOptions& options, const RenderPlan& plan) 
   return {};
 }
 
+/// What is drawn in single precision, for 16-bit PNG and OpenEXR.
+Expected<std::optional<render::FloatRequest>> readFloats(const RenderOptions& options, const RenderPlan& plan) {
+  const auto no = [&](std::string_view option, std::string_view text, const std::string& why, const std::string& remedy) -> Expected<std::optional<render::FloatRequest>> { return refused(option, text, why, remedy); };
+  if (!options.bits.empty() && options.bits != "8" && options.bits != "16") return no("--bits", options.bits, "a PNG has 8 or 16 bits per component.", "Write 8 or 16; an .exr holds floating-point numbers.");
+  const bool deep = options.bits == "16", exr = plan.format == FileFormat::exr;
+  if (!options.bits.empty() && plan.format != FileFormat::png) return no("--bits", options.bits, "this is for PNG pictures.", "Leave it out, or write .png.");
+  if (!options.passes.empty() && !exr) return no("--pass", options.passes, "passes are written as OpenEXR.", "End the name in .exr, or add --format exr.");
+  if (!deep && !exr) return std::optional<render::FloatRequest>();
+  if (plan.kind != RenderKind::picture && plan.kind != RenderKind::sequence)
+    return no(exr ? "--format" : "--bits", exr ? "exr" : options.bits, "sheets and templates are 8-bit PNG.", "Draw pictures or a sequence, or write an 8-bit .png.");
+  render::FloatRequest out;
+  out.linear = exr;
+  out.frame_s = plan.rate.timeOf(1);
+  if (options.passes.empty()) return std::optional(out);
+  out.colour = false;
+  const std::vector<std::string_view> known{"colour", "depth", "motion"};
+  bool* const slots[] = {&out.colour, &out.depth, &out.motion};
+  for (const std::string_view part : splitAt(options.passes, ',')) {
+    const auto found = std::ranges::find(known, trimmed(part));
+    if (found == known.end()) return no("--pass", options.passes, "there is no pass \"" + std::string(trimmed(part)) + "\".", "Write colour, depth, motion, or several of them with commas.");
+    *slots[found - known.begin()] = true;
+  }
+  return std::optional(out);
+}
+
 /// What kind of result is asked for; options that contradict each other are refused, none is ignored.
 Expected<RenderKind> readKind(const RenderOptions& options, FileFormat format) {
   const auto clash = [](const std::string& what, const std::string& remedy) { return fail(ErrorKind::usage, what, remedy); };
@@ -213,11 +238,11 @@ Expected<RenderKind> readKind(const RenderOptions& options, FileFormat format) {
     return RenderKind::video;
   }
   if (options.as_template) return RenderKind::template_view;
-  if (!options.time.empty() && moving) return clash("--time asks for one moment, --frames and --sheet for several.", "Leave one of them out.");
+  if (!options.time.empty() && (!options.frames.empty() || !options.sheet.empty())) return clash("--time asks for one moment, --frames and --sheet for several.", "Leave one of them out.");
   if (!options.sheet.empty() && !options.fps.empty()) return clash("--fps is for sequences; a sheet divides its time evenly.", "Leave out --fps, or --sheet.");
   if (!options.sheet.empty()) return RenderKind::sheet;
   if (!options.frames.empty()) return RenderKind::sequence;
-  if (!options.fps.empty()) return clash("--fps is the rate of a sequence, and no sequence is asked for.", "Add --frames FROM:TO.");
+  if (!options.fps.empty() && options.passes.find("motion") == std::string::npos) return clash("--fps is the rate of a sequence, and no sequence is asked for.", "Add --frames FROM:TO.");
   return RenderKind::picture;
 }
 
@@ -243,6 +268,7 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done && !options.frames.empty()) done = readRange(options, plan);
   if (done && plan.range_s && (plan.kind == RenderKind::sequence || plan.kind == RenderKind::video)) done = countFrames(options, plan);
   if (done && plan.kind == RenderKind::video) done = checkVideo(options, plan);
+  if (done) done = take(readFloats(options, plan), plan.floats);
   if (done) done = checkCaption(options.caption);
   if (!done) return tl::unexpected<Error>(done.error());
   if (!options.camera.empty()) plan.camera = options.camera;

@@ -39,6 +39,7 @@ struct Shard {
 struct RenderPlan {
   RenderKind kind = RenderKind::picture;
   FileFormat format = FileFormat::png;
+  std::optional<render::FloatRequest> floats;  ///< for 16-bit PNG and OpenEXR
   int width = 1280, height = 720;  ///< of each picture, pixels
   int columns = 1, rows = 1;       ///< of a sheet
   int threads = 1;

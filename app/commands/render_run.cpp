@@ -20,6 +20,7 @@ PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& 
   job.width = plan.width;
   job.height = plan.height;
   job.threads = plan.threads;
+  job.floats = plan.floats;
   job.camera = *render::parseCamera(plan.camera, explosion.extent(), static_cast<double>(plan.width) / plan.height);
   job.stopped = Interrupt::requested;
   return job;
@@ -46,7 +47,7 @@ class PresetRun {
     std::vector<Shot> shots;
     for (const std::size_t item : items_) shots.push_back(shotOf(run_.plan, run_.items[item].number, job.explosion->duration_s()));
     std::vector<char> saved;
-    auto result = savePictures(run_.renderer, job, shots, [&](std::size_t i, const render::Image& image, render::PngEncoder& encoder) { return run_.save(items_[i], image, encoder); }, [&](std::size_t done) { progress_.show(done_ + done); }, saved);
+    auto result = savePictures(run_.renderer, job, shots, [&](std::size_t i, const Picture& picture, render::PngEncoder& encoder) { return run_.save(items_[i], picture, encoder); }, [&](std::size_t done) { progress_.show(done_ + done); }, saved);
     for (std::size_t i = 0; i < saved.size(); ++i)
       if (saved[i] != 0) run_.items[items_[i]].state = FileState::written;
     return result;
@@ -57,16 +58,17 @@ class PresetRun {
     const WorkItem& item = run_.items[items_.front()];
     const std::string& file = run_.files[item.preset];
     const double duration_s = job.explosion->duration_s();
-    render::Image sheet{plan.width * plan.columns, plan.height * plan.rows, {}};
+    Picture whole{{plan.width * plan.columns, plan.height * plan.rows, {}}, {}};
+    render::Image& sheet = whole.image;
     sheet.rgba.resize(4u * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
-    auto drawn = commands::drawPictures(run_.renderer, job, sheetShots(plan, duration_s), [&](const Shot& shot, render::Image& image) -> Expected<void> {
+    auto drawn = commands::drawPictures(run_.renderer, job, sheetShots(plan, duration_s), [&](const Shot& shot, Picture& picture) -> Expected<void> {
       const int column = static_cast<int>(shot.number) % plan.columns, row = static_cast<int>(shot.number) / plan.columns;
-      render::placeInSheet(sheet, image, column, row);
+      render::placeInSheet(sheet, picture.image, column, row);
       if (!plan.caption.empty()) render::captionCell(sheet, plan.width, plan.height, column, row, captionOf(plan.caption, preset, file, shot));
       return {};
     });
     if (drawn && !item.index.empty()) drawn = writeFileAtomically(item.index, spriteIndex(plan, job.camera, presetName(file), item.path, preset.ground_height_m, duration_s));
-    return drawn ? saveOne(sheet) : drawn;
+    return drawn ? saveOne(whole) : drawn;
   }
 
   Expected<void> drawVideo(const PictureJob& job) {
@@ -79,8 +81,8 @@ class PresetRun {
     if (!video) return tl::unexpected<Error>(video.error());
     Progress frames("frame", shots->size(), run_.progress);
     std::size_t done = 0;
-    auto drawn = commands::drawPictures(run_.renderer, job, *shots, [&](const Shot&, render::Image& image) -> Expected<void> {
-      if (auto added = video->add(image); !added) return added;
+    auto drawn = commands::drawPictures(run_.renderer, job, *shots, [&](const Shot&, Picture& picture) -> Expected<void> {
+      if (auto added = video->add(picture.image); !added) return added;
       frames.show(++done);
       return {};
     });
@@ -95,13 +97,13 @@ class PresetRun {
     scene.layer = *templateLayer(run_.plan, preset);
     scene.view = run_.plan.view;
     scene.background = run_.plan.background;
-    const auto image = run_.renderer.drawToImage(scene, run_.plan.width, run_.plan.height);
-    return image ? saveOne(*image) : tl::unexpected<Error>(image.error());
+    auto image = run_.renderer.drawToImage(scene, run_.plan.width, run_.plan.height);
+    return image ? saveOne({std::move(*image), {}}) : tl::unexpected<Error>(image.error());
   }
 
-  Expected<void> saveOne(const render::Image& image) {
+  Expected<void> saveOne(const Picture& picture) {
     render::PngEncoder encoder(render::PngEncoder::Keep::nothing);
-    auto saved = run_.save(items_.front(), image, encoder);
+    auto saved = run_.save(items_.front(), picture, encoder);
     if (!saved) return saved;
     run_.items[items_.front()].state = FileState::written;
     progress_.show(done_ + 1);

@@ -9,7 +9,7 @@
 namespace npsee::commands {
 
 /// Does something with the picture of an item, such as writing it. Called from several threads.
-using SaveItem = std::function<Expected<void>(std::size_t item, const render::Image& image, render::PngEncoder& encoder)>;
+using SaveItem = std::function<Expected<void>(std::size_t item, const Picture& picture, render::PngEncoder& encoder)>;
 
 /// A run that has something to draw.
 struct RenderRun {

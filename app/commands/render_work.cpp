@@ -1,6 +1,8 @@
 #include "app/commands/render_work.h"
 
 #include "app/commands/sprite_index.h"
+#include "app/render/deep_image.h"
+#include "app/render/exr.h"
 #include "app/render/png_text.h"
 #include "sim/core/files.h"
 #include "sim/core/parallel.h"
@@ -8,6 +10,9 @@
 
 #include <npsee/units.h>
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <system_error>
 
 namespace npsee::commands {
@@ -35,9 +40,31 @@ std::string backgroundText(const render::Background& background) {
   return shortest(c.r) + ',' + shortest(c.g) + ',' + shortest(c.b);
 }
 
+/// What is written beside or instead of 8 bits.
+std::string floatsText(const RenderPlan& plan) {
+  if (!plan.floats) return {};
+  const render::FloatRequest& f = *plan.floats;
+  if (!f.linear) return "bits 16\n";
+  return std::string("passes") + (f.colour ? " colour" : "") + (f.depth ? " depth" : "") + (f.motion ? " motion over " + shortest(f.frame_s) + 's' : std::string()) + '\n';
+}
+
 /// All but the preset and the time.
 std::string planText(const RenderPlan& plan) {
-  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n';
+  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + floatsText(plan);
+}
+
+render::DeepImage sixteenBits(const render::FloatImage& floats) {
+  render::DeepImage out{floats.width, floats.height, 16, false, {}};
+  out.rgba.reserve(floats.rgba.size());
+  // Written so that what is no number becomes 0.
+  for (const float value : floats.rgba) out.rgba.push_back(value > 0.0f ? static_cast<std::uint16_t>(std::lround(65535.0f * std::min(value, 1.0f))) : std::uint16_t{0});
+  for (std::size_t i = 3; i < out.rgba.size() && !out.alpha; i += 4) out.alpha = out.rgba[i] != 65535;
+  return out;
+}
+
+Expected<std::vector<std::uint8_t>> withRecipe(Expected<std::vector<std::uint8_t>> png, const WorkItem& item) {
+  if (png) render::insertPngText(*png, render::kRecipeKeyword, item.recipe);
+  return png;
 }
 
 std::string timeOf(const RenderPlan& plan, std::int64_t number) {
@@ -70,10 +97,12 @@ bool isFinished(const WorkItem& item) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(item.path, ignored)) return false;
   if (!item.index.empty() && !std::filesystem::is_regular_file(item.index, ignored)) return false;
+  if (std::optional<std::string> comment = render::videoComment(item.path)) return *comment == recipeComment(item);
   const auto bytes = readTextFile(item.path, kMaxFinishedFile);
-  // A video appears under its name only when it is whole.
-  if (bytes && !bytes->starts_with("\x89PNG")) return bytes->find(recipeComment(item)) != std::string::npos;
-  return bytes && render::textOfWholePng(*bytes, render::kRecipeKeyword) == item.recipe;
+  if (!bytes) return false;
+  if (item.path.extension() != ".exr") return render::textOfWholePng(*bytes, render::kRecipeKeyword) == item.recipe;
+  const auto exr = render::parseExr(*bytes, item.path.string(), static_cast<std::size_t>(kMaxPicturePixels));
+  return exr && exr->recipe == item.recipe;
 }
 
 void skipFinished(std::vector<WorkItem>& items, int threads) {
@@ -84,13 +113,13 @@ void skipFinished(std::vector<WorkItem>& items, int threads) {
 
 Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item) {
   render::PngEncoder alone(render::PngEncoder::Keep::nothing);
-  return encoded(image, item, alone);
+  return withRecipe(alone.encode(image), item);
 }
 
-Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item, render::PngEncoder& encoder) {
-  auto bytes = encoder.encode(image);
-  if (bytes) render::insertPngText(*bytes, render::kRecipeKeyword, item.recipe);
-  return bytes;
+Expected<std::vector<std::uint8_t>> encoded(const RenderPlan& plan, const Picture& picture, const WorkItem& item, render::PngEncoder& encoder) {
+  if (!plan.floats) return withRecipe(encoder.encode(picture.image), item);
+  if (plan.format == FileFormat::exr) return render::encodeExr(picture.floats, item.recipe);
+  return withRecipe(render::encodeDeepPng(sixteenBits(picture.floats)), item);
 }
 
 }  // namespace npsee::commands

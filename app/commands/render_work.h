@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/commands/render_output.h"
-#include "app/commands/render_plan.h"
+#include "app/commands/render_pipeline.h"
 #include "app/render/png_encoder.h"
 
 #include <filesystem>
@@ -35,8 +35,9 @@ bool isFinished(const WorkItem& item);
 /// Marks the finished files as skipped.
 void skipFinished(std::vector<WorkItem>& items, int threads);
 
-/// A picture as PNG with its recipe inside; the same bytes by the encoder of a sequence as without one.
+/// A picture as 8-bit PNG with its recipe inside; the same bytes by the encoder of a sequence as without one.
 Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item);
-Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const WorkItem& item, render::PngEncoder& encoder);
+/// A picture in the plan's format.
+Expected<std::vector<std::uint8_t>> encoded(const RenderPlan& plan, const Picture& picture, const WorkItem& item, render::PngEncoder& encoder);
 
 }  // namespace npsee::commands

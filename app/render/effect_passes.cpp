@@ -72,4 +72,28 @@ Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const Lay
   return {};
 }
 
+Expected<void> EffectPasses::makeSurfacePasses() {
+  if (solid_surfaces_ && soft_surfaces_) return {};
+  auto solid = SolidPass::create(ParticleOutput::surface);
+  if (!solid) return tl::unexpected<Error>(solid.error());
+  auto soft = SoftPass::create(ParticleOutput::surface);
+  if (!soft) return tl::unexpected<Error>(soft.error());
+  solid_surfaces_ = std::move(*solid);
+  soft_surfaces_ = std::move(*soft);
+  return {};
+}
+
+Expected<void> EffectPasses::drawSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
+  if (auto made = makeSurfacePasses(); !made) return made;
+  frame_.uploadVelocities(frame);
+  for (const LayerSpan& layer : layers)
+    if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
+  order_.sort(frame, layers, view);
+  if (order_.instances().empty()) return {};
+  blended_.upload(order_.instances());
+  for (const BlendOrder::Run& run : order_.runs())
+    if (isSoft(run.form)) soft_surfaces_->drawSurfaces(view, blended_, run.first, run.count, ground, surface);
+  return {};
+}
+
 }  // namespace npsee::render

@@ -22,10 +22,17 @@ class EffectPasses {
   void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
 
+  /// Draws depth and motion of the nearest surfaces instead, in any order.
+  Expected<void> drawSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
+
  private:
+  Expected<void> makeSurfacePasses();
+
   SolidPass solid_;
   ShadowPass shadow_;
   std::optional<SoftPass> soft_;  // compiled when a picture needs it: start-up time counts
+  std::optional<SolidPass> solid_surfaces_;
+  std::optional<SoftPass> soft_surfaces_;
   FrameUpload frame_;
   BlendedUpload blended_;
   BlendOrder order_;

@@ -75,7 +75,7 @@ void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, co
   program.set("u_scene", 0);
   program.set("u_backdrop", 1);
   program.set("u_behind", behind);
-  program.set("u_plain", linearFromSrgb(plain.r), linearFromSrgb(plain.g), linearFromSrgb(plain.b));
+  setPlain(program, plain);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);
@@ -84,5 +84,7 @@ void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, co
   glBindSampler(0, 0);
   tiles.draw(program, 0.0f);
 }
+
+void setPlain(const gl::Program& program, const Colour& plain) { program.set("u_plain", linearFromSrgb(plain.r), linearFromSrgb(plain.g), linearFromSrgb(plain.b)); }
 
 }  // namespace npsee::render

@@ -31,4 +31,7 @@ class FinishPass {
   gl::Program mission_, mission_smooth_;  // made when first needed
 };
 
+/// Sets u_plain from an sRGB-coded colour.
+void setPlain(const gl::Program& program, const Colour& plain);
+
 }  // namespace npsee::render

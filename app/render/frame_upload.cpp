@@ -32,6 +32,24 @@ void FrameUpload::bind(std::size_t first, bool with_orientation, std::size_t eve
     gl::attribute(static_cast<unsigned>(section), 1, every * sizeof(float), (section * count_ + first) * sizeof(float), 1);
 }
 
+void FrameUpload::uploadVelocities(const Frame& frame) {
+  // Without them nothing moves.
+  std::vector<float> vectors(3 * frame.count, 0.0f);
+  const bool moving = frame.vx.size() >= frame.count && frame.vy.size() >= frame.count && frame.vz.size() >= frame.count;
+  for (std::size_t i = 0; moving && i < frame.count; ++i) {
+    vectors[3 * i] = frame.vx[i];
+    vectors[3 * i + 1] = frame.vy[i];
+    vectors[3 * i + 2] = frame.vz[i];
+  }
+  if (!velocities_) velocities_ = gl::Buffer::make();
+  gl::upload(GL_ARRAY_BUFFER, velocities_, vectors, GL_STREAM_DRAW);
+}
+
+void FrameUpload::bindVelocities(std::size_t first) const {
+  glBindBuffer(GL_ARRAY_BUFFER, velocities_.name());
+  gl::attribute(kVelocityVector, 3, 3 * sizeof(float), 3 * first * sizeof(float), 1);
+}
+
 void BlendedUpload::upload(std::span<const BlendedInstance> instances) {
   if (!buffer_) buffer_ = gl::Buffer::make();
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());

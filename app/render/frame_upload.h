@@ -10,8 +10,8 @@
 
 namespace npsee::render {
 
-/// Attribute locations shared by the particle shaders; each is one float per particle.
-enum Attribute : unsigned { kX, kY, kZ, kSize, kR, kG, kB, kA, kQx, kQy, kQz, kQw, kMeshPosition, kMeshNormal, kKind };
+/// Attribute locations shared by the particle shaders; those of a particle are one float each, but for the velocity.
+enum Attribute : unsigned { kX, kY, kZ, kSize, kR, kG, kB, kA, kQx, kQy, kQz, kQw, kMeshPosition, kMeshNormal, kKind, kVelocityVector };
 
 /// A frame's arrays in one GL buffer, section after section, as they come from the simulator. The buffer is orphaned for
 /// every frame, so that the driver need not wait for the last one.
@@ -23,8 +23,12 @@ class FrameUpload {
   /// opacity always; the orientation if `with_orientation`. Only every `every`-th particle is bound.
   void bind(std::size_t first, bool with_orientation, std::size_t every = 1) const;
 
+  /// Hands over the velocities of the frame uploaded, and points the bound vertex array at them.
+  void uploadVelocities(const Frame& frame);
+  void bindVelocities(std::size_t first) const;
+
  private:
-  gl::Buffer buffer_;
+  gl::Buffer buffer_, velocities_;
   std::size_t count_ = 0;
 };
 

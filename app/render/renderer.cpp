@@ -1,10 +1,12 @@
 #include "app/render/renderer.h"
 
 #include "app/render/backdrop_pass.h"
+#include "app/render/deep_finish.h"
 #include "app/render/effect_passes.h"
 #include "app/render/effect_tiles.h"
 #include "app/render/finish_pass.h"
 #include "app/render/mission_scene.h"
+#include "app/render/surface_pass.h"
 #include "app/render/target.h"
 #include "app/render/template_pass.h"
 
@@ -27,6 +29,16 @@ Expected<void> checkSize(int width, int height) {
 
 Expected<void> drawnWithoutError() {
   if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver failed while drawing: ") + error + ".", "LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.");
+  return {};
+}
+
+/// Makes a pass when a picture first needs it.
+template <class Pass>
+Expected<void> makeOnce(std::optional<Pass>& pass) {
+  if (pass) return {};
+  auto made = Pass::create();
+  if (!made) return tl::unexpected<Error>(made.error());
+  pass = std::move(*made);
   return {};
 }
 
@@ -55,12 +67,15 @@ struct Renderer::Impl {
   FinishPass finish;
   // Shaders that not every picture needs are compiled when one does: start-up time counts.
   std::optional<TemplatePass> icon;
+  std::optional<DeepFinish> deep;
+  std::optional<SurfacePass> surfaces;
   TileMask mask;
   TileMesh tiles;
   std::array<Slot, 4> slots;
 
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
+  Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
   Expected<void> draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot);
   /// The slot with its target at the wanted size.
@@ -109,14 +124,35 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   return drawnWithoutError();
 }
 
+Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image) {
+  const bool outdoors = scene.background.kind == Background::Kind::sky;
+  image.width = slot.target.width();
+  image.height = slot.target.height();
+  image.rgba.clear();
+  if (request.colour) {
+    if (auto drawn = draw(scene, view, slot); !drawn) return drawn;
+    if (auto made = makeOnce(deep); !made) return made;
+    // `mask` still marks the effect's tiles.
+    const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
+    if (auto finished = deep->run(slot.target, mask, outdoors, plain, request.linear, image); !finished) return finished;
+  }
+  image.depth.clear();
+  image.motion.clear();
+  if (!request.depth && !request.motion) return drawnWithoutError();
+  if (auto made = makeOnce(surfaces); !made) return made;
+  const Frame* frame = scene.frame != nullptr && scene.frame->count > 0 ? scene.frame : nullptr;
+  if (frame != nullptr) effects.upload(*frame);
+  GroundLevel ground;
+  ground.height_m = scene.ground_height_m;
+  ground.solid = ground.fades = outdoors;
+  if (auto drawn = surfaces->run(effects, frame, scene.layers, view, ground, image.width, image.height, request, image); !drawn) return drawn;
+  return drawnWithoutError();
+}
+
 Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
   if (scene.preset == nullptr || scene.layer < 0 || static_cast<std::size_t>(scene.layer) >= scene.preset->layers.size())
     return fail(ErrorKind::usage, "there is no layer " + std::to_string(scene.layer) + " to draw a template of.", "Choose one of the preset's layers, or add one.");
-  if (!icon) {
-    auto pass = TemplatePass::create();
-    if (!pass) return tl::unexpected<Error>(pass.error());
-    icon = std::move(*pass);
-  }
+  if (auto made = makeOnce(icon); !made) return made;
   Target& target = slot.target;
   if (auto begun = target.beginEffect(true); !begun) return begun;
   mask.reset(target.width(), target.height());
@@ -181,6 +217,12 @@ Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, 
   Image image;
   if (auto drawn = drawToImage(scene, camera, width, height, image); !drawn) return tl::unexpected<Error>(drawn.error());
   return image;
+}
+
+Expected<void> Renderer::drawToFloats(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, FloatImage& image) {
+  const auto sized = impl_->sized(0, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  return impl_->drawFloats(scene, makeView(camera, width, height), request, **sized, image);
 }
 
 Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int height) {

@@ -2,6 +2,7 @@
 
 #include "app/gl/context.h"
 #include "app/render/camera.h"
+#include "app/render/float_image.h"
 #include "app/render/image.h"
 #include "app/render/template_geometry.h"
 
@@ -70,6 +71,9 @@ class Renderer {
   /// The same into `image`, whose memory is used again.
   Expected<void> drawToImage(const Scene& scene, const Camera& camera, int width, int height, Image& image);
   Expected<Image> drawToImage(const TemplateScene& scene, int width, int height);
+
+  /// Draws in single precision, with the passes requested; the memory of `image` is used again.
+  Expected<void> drawToFloats(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, FloatImage& image);
 
   /// A mission at a moment; see mission_scene.h for the contract.
   Expected<unsigned> drawToTexture(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, int slot = 2);

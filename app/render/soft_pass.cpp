@@ -49,8 +49,8 @@ gl::Texture makeNoise() {
 
 }  // namespace
 
-Expected<SoftPass> SoftPass::create() {
-  auto program = gl::Program::fromFiles("soft.vert", "soft.frag");
+Expected<SoftPass> SoftPass::create(ParticleOutput output) {
+  auto program = gl::Program::fromFiles("soft.vert", output == ParticleOutput::surface ? "soft_surface.frag" : "soft.frag");
   if (!program) return tl::unexpected<Error>(program.error());
   SoftPass pass;
   pass.program_ = std::move(*program);
@@ -60,13 +60,25 @@ Expected<SoftPass> SoftPass::create() {
 }
 
 void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_CULL_FACE);
   program_.use();
+  drawInstances(view, particles, first, count, ground);
+}
+
+void SoftPass::drawSurfaces(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) const {
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  program_.use();
+  setSurfaceFrame(program_, frame);
+  drawInstances(view, particles, first, count, ground);
+}
+
+void SoftPass::drawInstances(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
   setView(program_, view);
   setGround(program_, view, ground);
   program_.set("u_noise", 0);

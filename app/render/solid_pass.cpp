@@ -20,8 +20,8 @@ void drawInstances(const Mesh& mesh, std::size_t count) {
 
 }  // namespace
 
-Expected<SolidPass> SolidPass::create() {
-  auto program = gl::Program::fromFiles("solid.vert", "solid.frag");
+Expected<SolidPass> SolidPass::create(ParticleOutput output) {
+  auto program = gl::Program::fromFiles("solid.vert", output == ParticleOutput::surface ? "solid_surface.frag" : "solid.frag");
   if (!program) return tl::unexpected<Error>(program.error());
   SolidPass pass;
   pass.program_ = std::move(*program);
@@ -66,6 +66,18 @@ void SolidPass::drawOpaque(const View& view, Form form, const FrameUpload& parti
   glDepthMask(GL_TRUE);
   program_.set("u_opacity", kOpaque, 2.0f);
   particles.bind(first, true);
+  drawInstances(mesh.mesh, count);
+}
+
+void SolidPass::drawSurfaces(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) {
+  const LoadedMesh& mesh = loaded(form);
+  prepare(view, mesh, ground);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  program_.set("u_opacity", 0.4999f, 2.0f);
+  setSurfaceFrame(program_, frame);
+  particles.bind(first, true);
+  particles.bindVelocities(first);
   drawInstances(mesh.mesh, count);
 }
 

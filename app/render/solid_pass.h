@@ -3,6 +3,7 @@
 #include "app/render/frame_upload.h"
 #include "app/render/ground_level.h"
 #include "app/render/meshes.h"
+#include "app/render/particle_output.h"
 #include "app/render/view.h"
 
 #include <array>
@@ -12,10 +13,13 @@ namespace npsee::render {
 /// Lit meshes, one instance per particle: tetrahedron, disc, sphere, shard.
 class SolidPass {
  public:
-  static Expected<SolidPass> create();
+  static Expected<SolidPass> create(ParticleOutput output = ParticleOutput::light);
 
   /// Draws the opaque particles of a frame's range.
   void drawOpaque(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground);
+  /// Draws the depth and motion of those that cover at least half of what is behind them. Needs velocities uploaded, and a pass
+  /// made for surfaces.
+  void drawSurfaces(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame);
   /// Blends particles in the order given.
   void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground);
 

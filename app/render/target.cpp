@@ -62,7 +62,8 @@ Expected<void> Target::resize(int width, int height) {
   if (width == width_ && height == height_) return {};
   *this = Target();
   effect_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width, height);
-  backdrop_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width, height);
+  // In single precision: half floats would show in 16-bit pictures.
+  backdrop_ = makeTexture(GL_RGBA32F, GL_FLOAT, width, height);
   backdrop_finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
   finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
   depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, 0, width, height);

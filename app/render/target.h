@@ -31,7 +31,7 @@ class Target {
   void bindFinished() const;
 
   GLuint effect() const { return smooth_ ? samples_.name() : effect_.name(); }  ///< RGBA16F texture, multi-sampled if smooth()
-  GLuint backdrop() const { return backdrop_.name(); }  ///< RGBA16F texture
+  GLuint backdrop() const { return backdrop_.name(); }  ///< RGBA32F texture
   GLuint finished() const { return finished_.name(); }  ///< RGBA8 texture
 
  private:

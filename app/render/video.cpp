@@ -8,7 +8,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -87,7 +89,7 @@ Words ffmpegWords(const fs::path& program, const VideoSettings& s, const fs::pat
   const Words encoder = encoderWords(s);
   words.insert(words.end(), encoder.begin(), encoder.end());
   // Nothing of the encoder's version or of the time gets into the file.
-  words.insert(words.end(), {"-map_metadata", "-1", "-metadata", "comment=" + s.comment, "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", std::string(nameOf(s.format)), "file:" + out.string()});
+  words.insert(words.end(), {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", std::string(nameOf(s.format)), "file:" + out.string()});
   return words;
 }
 
@@ -119,14 +121,32 @@ pid_t start(const Words& words, int input, int messages) {
   return -1;
 }
 
-/// GIF has a place for comments that ffmpeg does not write.
-void appendGifComment(const fs::path& file, const std::string& comment) {
-  const Descriptor out(::open(file.c_str(), O_RDWR | O_CLOEXEC));
-  char trailer = 0;
-  if (out.get() < 0 || ::lseek(out.get(), -1, SEEK_END) < 0 || ::read(out.get(), &trailer, 1) != 1 || trailer != 0x3b) return;
-  const std::string text = comment.substr(0, 255);
-  const std::string block = std::string("\x21\xfe", 2) + static_cast<char>(text.size()) + text + '\0' + '\x3b';
-  if (::lseek(out.get(), -1, SEEK_END) >= 0) [[maybe_unused]] const ssize_t written = ::write(out.get(), block.data(), block.size());
+/// What is appended to a whole file, so that one that lost its end is known: in each format something that players skip. A comment of a
+/// GIF goes before the GIF's last byte.
+struct Seal {
+  std::string before, after;
+};
+constexpr std::size_t kMostComment = 120;
+constexpr char kGifTrailer = 0x3b;
+
+Seal sealOf(VideoFormat format, std::size_t comment_bytes) {
+  const char size = static_cast<char>(comment_bytes);
+  switch (format) {
+    case VideoFormat::mp4: return {std::string("\0\0\0", 3) + static_cast<char>(comment_bytes + 8) + "free", {}};  // a box: size, kind, content
+    case VideoFormat::webm: return {std::string("\xec") + static_cast<char>(0x80 | size), {}};                      // a Void element: kind, size, content
+    case VideoFormat::gif: break;
+  }
+  return {std::string("\x21\xfe") + size, std::string("\0", 1) + kGifTrailer};  // a comment: one block and the end of blocks
+}
+
+/// Appends the seal; false and errno if it cannot be written.
+bool appendSeal(int file, VideoFormat format, const std::string& comment) {
+  const Seal seal = sealOf(format, comment.size());
+  const std::string block = seal.before + comment + seal.after;
+  if (::lseek(file, format == VideoFormat::gif ? -1 : 0, SEEK_END) < 0) return false;
+  const ssize_t written = ::write(file, block.data(), block.size());
+  if (written >= 0 && written != static_cast<ssize_t>(block.size())) errno = ENOSPC;
+  return written == static_cast<ssize_t>(block.size());
 }
 
 }  // namespace
@@ -193,6 +213,25 @@ Expected<fs::path> findFfmpeg() {
   return fail(ErrorKind::output, "a video needs the program ffmpeg, and there is no " + name + " to run.", "Install Debian's package ffmpeg or name the program in NPSEE_FFMPEG; or write a sequence of pictures, -o frame_%04d.png.");
 }
 
+std::optional<std::string> videoComment(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 4> head{};
+  file.read(head.data(), head.size());
+  const std::string_view begin(head.data(), head.size());
+  const VideoFormat format = begin == "GIF8" ? VideoFormat::gif : begin == "\x1a\x45\xdf\xa3" ? VideoFormat::webm : VideoFormat::mp4;
+  if (!file || !file.seekg(0, std::ios::end)) return std::nullopt;
+  std::array<char, kMostComment + 16> end{};
+  const auto tail = std::min<std::streamoff>(file.tellg(), static_cast<std::streamoff>(end.size()));
+  if (!file.seekg(-tail, std::ios::end) || !file.read(end.data(), tail)) return std::nullopt;
+  const std::string_view text(end.data(), static_cast<std::size_t>(tail));
+  for (std::size_t bytes = 1; bytes <= kMostComment; ++bytes) {
+    const Seal seal = sealOf(format, bytes);
+    const std::size_t whole = seal.before.size() + bytes + seal.after.size();
+    if (whole <= text.size() && text.ends_with(seal.after) && text.substr(text.size() - whole).starts_with(seal.before)) return std::string(text.substr(text.size() - whole + seal.before.size(), bytes));
+  }
+  return std::nullopt;
+}
+
 Expected<VideoWriter> VideoWriter::open(const fs::path& path, const VideoSettings& settings) {
   const auto program = findFfmpeg();
   if (!program) return tl::unexpected<Error>(program.error());
@@ -237,11 +276,10 @@ Expected<void> VideoWriter::add(const Image& frame) {
 Expected<void> VideoWriter::finish() {
   impl_->input.close();
   if (impl_->child < 0 || impl_->wait() != 0) return impl_->refused();
-  if (impl_->settings.format == VideoFormat::gif) appendGifComment(impl_->temporary, impl_->settings.comment);
   const Descriptor file(::open(impl_->temporary.c_str(), O_RDWR | O_CLOEXEC));
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  if (file.get() < 0 || ::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0 || ::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) return cannotWrite(impl_->path, std::strerror(errno));
+  if (file.get() < 0 || !appendSeal(file.get(), impl_->settings.format, impl_->settings.comment.substr(0, kMostComment)) || ::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0 || ::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) return cannotWrite(impl_->path, std::strerror(errno));
   impl_->temporary.clear();
   return {};
 }

@@ -1,0 +1,67 @@
+#include "app/render/deep_finish.h"
+
+#include "app/render/finish_pass.h"
+#include "app/render/float_target.h"
+
+namespace npsee::render {
+
+Expected<DeepFinish> DeepFinish::create() {
+  DeepFinish pass;
+  for (const auto& loaded : {pass.single_.load("tiles.vert", "deep.frag"), pass.smooth_.load("tiles.vert", "deep_smooth.frag")})
+    if (!loaded) return tl::unexpected<Error>(loaded.error());
+  return pass;
+}
+
+Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, FloatImage& image) {
+  if (width_ != target.width() || height_ != target.height()) {
+    auto made = makeFloatTexture(target.width(), target.height(), frame_);
+    if (!made) return tl::unexpected<Error>(made.error());
+    result_ = std::move(*made);
+    width_ = target.width();
+    height_ = target.height();
+  }
+  image.width = width_;
+  image.height = height_;
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const int behind = over_backdrop ? 2 : plain != nullptr ? 1 : 0;
+  const Colour colour = plain != nullptr ? *plain : Colour{};
+  // Outside the effect's tiles the target holds what an earlier picture left.
+  all_.reset(width_, height_);
+  all_.markAll();
+  tiles_.upload(all_);
+  draw(target, tiles_, behind, colour, linear, false);
+  if (!effect.empty()) {
+    tiles_.upload(effect);
+    draw(target, tiles_, behind, colour, linear, true);
+  }
+  readFloats(width_, height_, image.rgba);
+  return {};
+}
+
+void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, bool with_effect) const {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_CLIP_DISTANCE0);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  const gl::Program& program = with_effect && target.smooth() ? smooth_ : single_;
+  program.use();
+  program.set("u_scene", 0);
+  program.set("u_backdrop", 1);
+  program.set("u_behind", behind);
+  program.set("u_effect", with_effect ? 1.0f : 0.0f);
+  program.set("u_linear", linear ? 1 : 0);
+  setPlain(program, plain);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, target.backdrop());
+  glBindSampler(1, 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(with_effect && target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, with_effect ? target.effect() : target.backdrop());
+  glBindSampler(0, 0);
+  tiles.draw(program, 0.0f);
+}
+
+}  // namespace npsee::render

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/render/effect_passes.h"
+#include "app/render/float_image.h"
+
+namespace npsee::render {
+
+/// Depth and motion of the nearest surfaces, for compositing.
+class SurfacePass {
+ public:
+  static Expected<SurfacePass> create();
+
+  /// Draws the frame that `effects` uploaded last (null: none) and the ground where it is solid, and fills depth and motion as
+  /// requested. Error kind graphics when the driver has no room.
+  Expected<void> run(EffectPasses& effects, const Frame* frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, int width, int height, const FloatRequest& request, FloatImage& image);
+
+ private:
+  Expected<void> resize(int width, int height);
+  void drawGround(const View& view, const GroundLevel& ground) const;
+
+  gl::Program ground_;
+  gl::VertexArray nothing_;
+  gl::Texture surface_;
+  gl::Renderbuffer depth_;
+  gl::Framebuffer frame_;
+  int width_ = 0, height_ = 0;
+  std::vector<float> read_;
+};
+
+}  // namespace npsee::render

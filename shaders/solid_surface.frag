@@ -1,0 +1,5 @@
+#version 330 core
+#include "surface.glsl"
+flat in vec3 v_velocity;  // world m/s
+
+void main() { writeSurface(v_velocity); }
