@@ -1,3 +1,4 @@
+#include "tests/support/markdown.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -14,26 +15,6 @@ namespace fs = std::filesystem;
 
 const std::string kSource = NPSEE_SOURCE_DIR;
 
-struct Block {
-  std::string info;  ///< what stands after the three backticks
-  std::string text;
-};
-
-std::vector<Block> fencedBlocks(const std::string& markdown) {
-  std::vector<Block> blocks;
-  std::istringstream lines(markdown);
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("```")) {
-      inside = !inside;
-      if (inside) blocks.push_back({line.substr(3), {}});
-    } else if (inside) {
-      blocks.back().text += line + '\n';
-    }
-  }
-  return blocks;
-}
-
 std::string readme() { return test::slurp(kSource + "/README.md"); }
 
 // In one folder and in order, as a reader would; `npsee` is the built program.
@@ -43,7 +24,7 @@ TEST(Readme, EveryRunnableBlockWorksAsWritten) {
   fs::create_directory_symlink(kSource + "/assets", folder / "assets");
   const std::string npsee = test::npseePath();
   int count = 0;
-  for (const Block& block : fencedBlocks(readme())) {
+  for (const test::Block& block : test::fencedBlocks(readme())) {
     if (block.info != "sh run") continue;
     const auto result = test::run("/bin/bash", {"-euo", "pipefail", "-c", "npsee() { '" + npsee + "' \"$@\"; }\n" + block.text},
                                   {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}, folder.path());
@@ -59,7 +40,7 @@ TEST(Readme, EveryRunnableBlockWorksAsWritten) {
 TEST(Readme, OnlyTheseLinesAreNotRun) {
   const std::set<std::string> known{"git clone REPOSITORY npsee", "cd npsee", "scripts/run", "scripts/test", "alias npsee=\"$PWD/scripts/run\"", "npsee edit my_burst.npsee.json",
                                     "npsee edit assets/missions/hills_patrol.mission.json"};
-  for (const Block& block : fencedBlocks(readme())) {
+  for (const test::Block& block : test::fencedBlocks(readme())) {
     if (block.info == "sh run") continue;
     EXPECT_EQ(block.info, "sh");
     std::istringstream lines(block.text);
