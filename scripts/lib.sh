@@ -5,7 +5,8 @@
 
 # readlink -f: the scripts also work through a symbolic link from elsewhere.
 root=$(cd -P -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
-build=$root/build/release
+preset=${preset:-release}
+build=$root/build/$preset
 logs=$root/build/logs
 
 say() { printf '%s\n' "$*" >&2; }
@@ -144,7 +145,7 @@ configure() {
   home=$(cached CMAKE_HOME_DIRECTORY)
   [ -z "$home" ] || [ "$home" = "$root" ] || rm -rf "$build"
   if [ -f "$build/build.ninja" ] && [ ! "$root/CMakePresets.json" -nt "$build/build.ninja" ] && [ "$(cached NPSEE_TESTS)" = "$tests" ]; then return; fi
-  step configure "Configuring" cmake -S "$root" --preset release -DNPSEE_TESTS="$tests" || step_failed configure
+  step configure "Configuring" cmake -S "$root" --preset "$preset" -DNPSEE_TESTS="$tests" || step_failed configure
   # CMake leaves an unchanged file alone; its new date says that the presets were looked at.
   touch "$build/build.ninja"
 }
