@@ -9,6 +9,7 @@ in vec2 v_disc;
 in float v_above;         // height over the ground, m
 flat in float v_clear;    // share of the light that the air lets through
 flat in float v_radius;
+flat in vec3 v_glow;      // light of flashes and fire on a cloud
 
 uniform sampler2D u_noise;   // tiling value noise, 0..1
 uniform vec3 u_right;        // camera axes in the world
@@ -26,23 +27,30 @@ vec4 streak() {
   return vec4(mix(u_haze_colour * a, v_colour.rgb * (1.2 + 2.0 * across * along) * a, v_clear), a);
 }
 
+// A ball of cloud whose rim is eaten by noise, so that neighbours run into each other instead of standing as balls. Its cover follows
+// the length of the chord through it, as that of a medium does.
 vec4 puff() {
   float r2 = dot(v_disc, v_disc);
   if (r2 >= 1.0) discard;
   vec2 turned = vec2(v_turn.x * v_disc.x - v_turn.y * v_disc.y, v_turn.y * v_disc.x + v_turn.x * v_disc.y);
-  float noise = texture(u_noise, v_noise + turned * 0.22).r * 0.65 + texture(u_noise, v_noise.yx + turned * 0.55).r * 0.35;
-  noise = clamp((noise - 0.5) * 2.0 + 0.5, 0.0, 1.0);
+  float coarse = texture(u_noise, v_noise + turned * 0.13).r;
+  // The coarse billows drag the fine ones along, which makes wisps of dots.
+  float fine = texture(u_noise, v_noise.yx + turned * 0.42 + (coarse - 0.5) * 0.30).r;
+  float noise = clamp((0.6 * coarse + 0.4 * fine - 0.5) * 2.3 + 0.5, 0.0, 1.0);
   float edge = 1.0 - r2;
-  float density = clamp(edge * 1.9 - (1.0 - noise) * 1.25 * (0.30 + r2), 0.0, 1.0);
-  float a = v_colour.a * density * density * (3.0 - 2.0 * density) * groundFade();
+  float body = clamp(1.5 * (edge - 0.85 * (1.0 - noise)), 0.0, 1.0);
+  float depth = body * (1.0 + 3.0 * body);
+  float cover = depth * (2.0 + depth) / ((1.0 + depth) * (1.0 + depth));
+  float a = v_colour.a * min(1.06 * cover, 1.0) * groundFade();
   if (v_kind < 1.5) {
-    vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (sqrt(edge) + 0.35 * noise) * u_back);
-    // Light wraps around a cloud.
-    float wrapped = clamp(dot(normal, kKeyDirection) * 0.6 + 0.4, 0.0, 1.0);
-    vec3 light = kKeyLight * wrapped * (0.55 + 0.45 * noise) + ambientLight(normal);
-    return vec4(mix(u_haze_colour * a, dimmed(v_colour.rgb * light * a), v_clear), a);
+    float bulge = sqrt(edge);
+    vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (bulge + 0.35 * noise) * u_back);
+    // Light wraps around a cloud, and its hollows lie in shadow.
+    float wrapped = clamp(dot(normal, kKeyDirection) * 0.62 + 0.38, 0.0, 1.0);
+    vec3 light = kKeyLight * wrapped * (0.35 + 0.65 * noise) + ambientLight(normal) * (0.7 + 0.3 * noise);
+    return vec4(mix(u_haze_colour * a, (dimmed(v_colour.rgb * light) + v_colour.rgb * v_glow) * a, v_clear), a);
   }
-  float heat = density * density * (0.6 + 0.8 * noise);
+  float heat = body * body * (0.6 + 0.8 * noise);
   vec3 glow = v_colour.rgb * (0.9 + 2.6 * heat) + vec3(0.9, 0.45, 0.12) * heat * heat;
   return vec4(mix(u_haze_colour * (0.85 * a), glow * a, v_clear), a * 0.85);
 }

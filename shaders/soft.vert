@@ -1,6 +1,7 @@
 #version 330 core
 #include "common.glsl"
 #include "clip.glsl"
+#include "glow.glsl"
 // Soft forms, sorted from back to front. One particle per instance.
 layout(location = 0) in float a_x;     // world m
 layout(location = 1) in float a_y;
@@ -31,6 +32,7 @@ out float v_above;        // height over the ground, m
 flat out float v_clear;
 flat out float v_radius;  // m
 flat out vec3 v_velocity; // world m/s
+flat out vec3 v_glow;     // light of flashes and fire on a cloud
 
 const float kShutter = 1.0 / 50.0;  // s, what a streak's length shows of its motion
 
@@ -64,6 +66,9 @@ void main() {
   v_colour = vec4(linearFromSrgb(vec3(a_r, a_g, a_b)), opacity);
   v_kind = a_kind;
   v_velocity = vec3(a_vx, a_vy, a_vz);
+  // A cloud scatters what comes from any side: half of what a facing surface would get.
+  vec3 towards = u_glow_place.xyz - centre;
+  v_glow = 0.5 * u_glow / (dot(towards, towards) + u_glow_place.w);
   v_disc = corner;
   v_above = place.y - groundUnder(place.xz);
   v_clear = clearTo(length(to_eye));

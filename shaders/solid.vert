@@ -2,6 +2,7 @@
 #include "common.glsl"
 #include "lift.glsl"
 #include "clip.glsl"
+#include "glow.glsl"
 // One particle per instance, structure of arrays: every quantity is an attribute of its own.
 layout(location = 0) in float a_x;     // world m
 layout(location = 1) in float a_y;
@@ -40,7 +41,8 @@ void main() {
   vec3 normal = rotated(q, a_normal);
   vec3 place = centre + size * rotated(q, a_position);
   if (u_two_sided > 0.5 && dot(normal, u_eye - place) < 0.0) normal = -normal;
-  vec3 light = dimmed(litDiffuse(linearFromSrgb(vec3(a_r, a_g, a_b)), normal));
+  vec3 albedo = linearFromSrgb(vec3(a_r, a_g, a_b));
+  vec3 light = dimmed(litDiffuse(albedo, normal)) + albedo * glowLight(centre, normal);
   light = mix(u_haze_colour, light, clearTo(distance(centre, u_eye)));
   v_flat = vec4(light * a_a, a_a);
   v_smooth = v_flat;

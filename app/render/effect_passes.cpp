@@ -48,6 +48,17 @@ void EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> la
   }
 }
 
+Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& ground) {
+  if (!ground.glow.shines()) return {};
+  if (!glow_) {
+    auto pass = GlowPass::create();
+    if (!pass) return tl::unexpected<Error>(pass.error());
+    glow_ = std::move(*pass);
+  }
+  glow_->draw(view, ground);
+  return {};
+}
+
 void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers)
     if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);

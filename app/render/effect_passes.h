@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/blend_order.h"
+#include "app/render/glow_pass.h"
 #include "app/render/shadow_pass.h"
 #include "app/render/soft_pass.h"
 #include "app/render/solid_pass.h"
@@ -19,6 +20,8 @@ class EffectPasses {
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
   void upload(const Frame& frame) { frame_.upload(frame); }
   void drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) const;
+  /// The light of the ground's glow on the ground; nothing where it does not shine.
+  Expected<void> drawGlow(const View& view, const GroundLevel& ground);
   void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
 
@@ -30,7 +33,9 @@ class EffectPasses {
 
   SolidPass solid_;
   ShadowPass shadow_;
-  std::optional<SoftPass> soft_;  // compiled when a picture needs it: start-up time counts
+  // Compiled when a picture needs them: start-up time counts.
+  std::optional<GlowPass> glow_;
+  std::optional<SoftPass> soft_;
   std::optional<SolidPass> solid_surfaces_;
   std::optional<SoftPass> soft_surfaces_;
   FrameUpload frame_;

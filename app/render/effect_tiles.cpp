@@ -43,7 +43,13 @@ double reachOf(const Frame& frame, std::size_t i, Form form, double above_ground
 
 }  // namespace
 
-void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, double ground_m, bool shadows) {
+void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows) {
+  const double ground_m = ground.height_m;
+  if (shadows && ground.glow.shines()) {
+    // The patch is a square: its corners lie farther out than its sides.
+    const bool bounded = markRound(mask, view, {ground.glow.place.x, ground_m, ground.glow.place.z}, 1.4143 * ground.glow.reach(), true);
+    if (!bounded) return mask.markAll();
+  }
   for (const LayerSpan& layer : layers) {
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/ground_level.h"
 #include "app/render/tiles.h"
 #include "app/render/view.h"
 
@@ -9,8 +10,8 @@
 
 namespace npsee::render {
 
-/// Marks every tile that the particles may draw in, with their shadows on the ground if wanted. Never too few, sometimes more
+/// Marks every tile that the particles may draw in, with their shadows and light on the ground if wanted. Never too few, sometimes more
 /// than needed.
-void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, double ground_m, bool shadows);
+void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows);
 
 }  // namespace npsee::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/glow.h"
 #include "app/render/view.h"
 
 namespace npsee::render {
@@ -14,9 +15,11 @@ struct GroundLevel {
   double dimmed = 0.0;  ///< share of the daylight that is missing
   double extinction_per_m = 0.0;
   Vec3 haze;            ///< linear colour of the air
+  Vec3 colour{0.46, 0.44, 0.38};  ///< of the ground, sRGB-coded
+  Glow glow;            ///< of the effect
 };
 
-/// Sets u_ground, u_slope, u_clip and u_fade, light and air, and the clipping itself.
+/// Sets u_ground, u_slope, u_clip and u_fade, light, glow and air, and the clipping itself.
 void setGround(const gl::Program& program, const View& view, const GroundLevel& ground);
 
 }  // namespace npsee::render

@@ -107,6 +107,7 @@ void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shel
   for (LayerSpan& layer : drawn.layers)
     if (!isSoft(layer.form) && static_cast<double>(layer.count) > pieces) layer.count = static_cast<std::size_t>(pieces);
   drawn.ground = groundAt(recording.terrain, shell.burst_m, eye.lens.eye, light_);
+  drawn.ground.glow = glowOf(drawn.frame, drawn.layers);
 }
 
 void MissionBursts::prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light) {
@@ -142,13 +143,16 @@ void MissionBursts::prepare(const Recording& recording, double time_s, const Mis
   std::ranges::stable_sort(bursts_, [](const Drawn& a, const Drawn& b) { return a.depth_m > b.depth_m; });
 }
 
-void MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye& eye) {
+Expected<void> MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye& eye) {
   for (const Drawn& drawn : bursts_) {
     const View view = eye.viewFrom(drawn.origin);
     effects.upload(drawn.frame);
     if (!light_.night && drawn.ground.height_m > -60.0) effects.drawShadows(drawn.frame, drawn.layers, view, drawn.ground);
+    if (drawn.ground.height_m > -60.0)
+      if (auto done = effects.drawGlow(view, drawn.ground); !done) return done;
     effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground);
   }
+  return {};
 }
 
 Expected<void> MissionBursts::drawBlended(EffectPasses& effects, const MissionEye& eye) {

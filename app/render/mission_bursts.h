@@ -29,7 +29,7 @@ class MissionBursts {
   void prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light);
 
   /// Shadows and opaque forms, then, when everything opaque is drawn, what is blended, far ones first.
-  void drawOpaque(EffectPasses& effects, const MissionEye& eye);
+  Expected<void> drawOpaque(EffectPasses& effects, const MissionEye& eye);
   Expected<void> drawBlended(EffectPasses& effects, const MissionEye& eye);
 
   std::size_t count() const { return bursts_.size(); }

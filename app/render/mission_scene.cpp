@@ -204,7 +204,7 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
   const std::vector<ModelInstance> models = missionModels(recording, time_s, view, eye, own.passes->models);
   own.passes->models.draw(models, eye.lens.eye, at_origin, light);
   own.bursts.prepare(recording, time_s, view, eye, light);
-  own.bursts.drawOpaque(effects, eye);
+  if (auto drawn = own.bursts.drawOpaque(effects, eye); !drawn) return drawn;
   if (auto drawn = own.bursts.drawBlended(effects, eye); !drawn) return drawn;
   own.drawOverlays(recording, time_s, view, eye, at_origin, light.night);
   own.counts = {own.passes->terrain.tiles(), models.size(), own.bursts.count(), own.bursts.particles(), own.bursts.compiled()};

@@ -106,16 +106,21 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   const Target& target = slot.target;
   if (outdoors) prepareBackdrop(scene, view, slot);
   mask.reset(target.width(), target.height());
-  if (particles) markEffect(mask, *scene.frame, scene.layers, view, scene.ground_height_m, shadows);
+  GroundLevel ground;
+  ground.height_m = scene.ground_height_m;
+  ground.solid = ground.fades = outdoors;
+  ground.colour = {scene.ground_colour.r, scene.ground_colour.g, scene.ground_colour.b};
+  if (particles) ground.glow = glowOf(*scene.frame, scene.layers);
+  if (particles) markEffect(mask, *scene.frame, scene.layers, view, ground, shadows);
   tiles.upload(mask);
   if (!mask.empty()) {
     if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
     finish.clear(tiles);
     effects.upload(*scene.frame);
-    GroundLevel ground;
-    ground.height_m = scene.ground_height_m;
-    ground.solid = ground.fades = outdoors;
-    if (shadows) effects.drawShadows(*scene.frame, scene.layers, view, ground);
+    if (shadows) {
+      effects.drawShadows(*scene.frame, scene.layers, view, ground);
+      if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
+    }
     effects.drawOpaque(*scene.frame, scene.layers, view, ground);
     if (auto drawn = effects.drawBlended(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
   }

@@ -96,6 +96,7 @@ void setGround(const gl::Program& program, const View& view, const GroundLevel& 
   program.set("u_dimmed", static_cast<float>(ground.dimmed));
   program.set("u_haze_extinction", static_cast<float>(ground.extinction_per_m));
   setVec3(program, "u_haze_colour", ground.haze);
+  setGlow(program, ground.glow);
   if (ground.solid) glEnable(GL_CLIP_DISTANCE0);
   else glDisable(GL_CLIP_DISTANCE0);
 }
