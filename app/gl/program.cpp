@@ -56,8 +56,11 @@ std::string logOf(GLuint object, bool program) {
 constexpr const char* kRemedy = "The driver has to offer OpenGL 3.3 core; LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 
 Expected<GLuint> compileShader(GLenum type, std::string_view file) {
-  const auto text = expanded(file);
+  auto text = expanded(file);
   if (!text) return tl::unexpected<Error>(text.error());
+  // Mesa remembers by its text alone that a shader compiled, and believes it also where that text now is the wrong kind of shader;
+  // it then fails while linking, on memory it has freed. A mark for each kind keeps them apart.
+  *text += type == GL_VERTEX_SHADER ? "// vertex\n" : "// fragment\n";
   const GLuint shader = glCreateShader(type);
   const char* data = text->data();
   const GLint length = static_cast<GLint>(text->size());
