@@ -1,5 +1,7 @@
 #include "sim/ballistics/kernels.h"
 
+#include "sim/core/cpu.h"
+
 namespace npsee::ballistics {
 
 #if defined(NPSEE_AVX2_KERNEL)
@@ -8,8 +10,7 @@ const Kernels& avx2Kernels();
 
 const Kernels& bestKernels() {
 #if defined(NPSEE_AVX2_KERNEL)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2) return avx2Kernels();
+  if (hasAvx2()) return avx2Kernels();
 #endif
   return baselineKernels();
 }
