@@ -36,6 +36,7 @@ class RendererPictures final : public Pictures {
     scene.background = {render::Background::Kind::colour, background};
     scene.handles = true;
     scene.active = active;
+    scene.scale = scale;
     return id(renderer_.drawToTexture(scene, width, height, 1));
   }
 
@@ -55,6 +56,7 @@ class RendererPictures final : public Pictures {
 
   bool enabled = true;
   Colour background;
+  double scale = 1.0;  ///< of the panels
   std::string fault;
 
  private:
@@ -132,6 +134,7 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   my.theme = my.state.light ? lightTheme() : darkTheme();
   applyTheme(my.theme, my.options.scale);
   my.pictures.enabled = pictures;
+  my.pictures.scale = static_cast<double>(my.options.scale);
   my.pictures.background = colourOf(my.theme.background);
   my.items.beginFrame();
   my.state.hint.clear();

@@ -3,23 +3,24 @@
 in vec2 v_place;
 
 uniform float u_reach;   // radius of the disc, template units
+uniform float u_pixels;  // width of a line, pixels
 uniform vec2 u_region;   // half-axes of the region's ellipse; 0 = not shown here
 uniform vec3 u_line;     // colour of the grid, sRGB-coded
 uniform vec3 u_tint;     // colour of the region, sRGB-coded
 
 out vec4 o_colour;  // linear, premultiplied
 
-// Cover of lines `spacing` apart and about a pixel wide.
+// Cover of lines `spacing` apart and about u_pixels wide.
 float lines(vec2 place, float spacing) {
   vec2 pixel = max(fwidth(place), vec2(1e-6));
   vec2 away = abs(fract(place / spacing - 0.5) - 0.5) * spacing / pixel;
-  vec2 cover = clamp(1.0 - away, 0.0, 1.0) * clamp(1.5 - 6.0 * pixel / spacing, 0.0, 1.0);
+  vec2 cover = clamp(1.0 + 0.5 * (u_pixels - 1.0) - away, 0.0, 1.0) * clamp(1.5 - 6.0 * u_pixels * pixel / spacing, 0.0, 1.0);
   return max(cover.x, cover.y);
 }
 
 float axes(vec2 place) {
   vec2 away = abs(place) / max(fwidth(place), vec2(1e-6));
-  vec2 cover = clamp(1.3 - away, 0.0, 1.0);
+  vec2 cover = clamp(1.3 + 0.8 * (u_pixels - 1.0) - away, 0.0, 1.0);
   return max(cover.x, cover.y);
 }
 

@@ -7,6 +7,8 @@
 #include "app/render/video.h"
 #include "sim/core/files.h"
 
+#include <algorithm>
+
 namespace npsee::commands {
 namespace {
 
@@ -97,6 +99,8 @@ class PresetRun {
     scene.layer = *templateLayer(run_.plan, preset);
     scene.view = run_.plan.view;
     scene.background = run_.plan.background;
+    // A larger picture shows the same in finer pixels.
+    scene.scale = std::max(1.0, std::min(run_.plan.width / 1280.0, run_.plan.height / 720.0));
     auto image = run_.renderer.drawToImage(scene, run_.plan.width, run_.plan.height);
     return image ? saveOne({std::move(*image), {}}) : tl::unexpected<Error>(image.error());
   }

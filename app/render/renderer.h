@@ -51,6 +51,7 @@ struct TemplateScene {
   Background background;                   ///< sky means the template's own quiet dark
   bool handles = false;                    ///< dots to drag; see TemplateCamera for where they lie in the picture
   TemplateHandle active = TemplateHandle::none;  ///< drawn in the accent colour
+  double scale = 1.0;                      ///< factor on the widths of lines and dots, for pictures with finer pixels
 };
 
 /// Draws scenes into framebuffer objects of its own, with GL 3.3 core only. One instance per context; all calls on the

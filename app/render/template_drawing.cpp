@@ -201,6 +201,10 @@ TemplateDrawing drawingOf(const TemplateShape& shape, const TemplateScene& scene
   }
   if (!shape.ball) addAngleMark(out.strokes, shape, camera.azimuth(), out.palette);
   if (scene.handles) addHandles(out.strokes, shape, scene.active, camera.azimuth(), out.palette);
+  for (Stroke& stroke : out.strokes) {
+    stroke.style.width_px *= scene.scale;
+    stroke.style.dash_px *= scene.scale;
+  }
   return out;
 }
 

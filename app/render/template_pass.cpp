@@ -78,7 +78,7 @@ void TemplatePass::drawMesh(const TemplateDrawing& drawing, const TemplateCamera
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void TemplatePass::drawGround(const TemplateDrawing& drawing, const TemplateCamera& camera) const {
+void TemplatePass::drawGround(const TemplateDrawing& drawing, const TemplateCamera& camera, double scale) const {
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -90,6 +90,7 @@ void TemplatePass::drawGround(const TemplateDrawing& drawing, const TemplateCame
   setCamera(ground_, camera);
   ground_.set("u_reach", static_cast<float>(kGroundReach));
   ground_.set("u_level", static_cast<float>(kGroundLevel));
+  ground_.set("u_pixels", static_cast<float>(scale));
   ground_.set("u_region", static_cast<float>(drawing.region_x), static_cast<float>(drawing.region_z));
   setColour(ground_, "u_line", drawing.palette.dim);
   setColour(ground_, "u_tint", drawing.palette.geometry);
@@ -103,9 +104,9 @@ void TemplatePass::draw(const TemplateScene& scene, int width, int height) {
   const TemplateCamera camera(shape, scene.yaw_rad, scene.pitch_rad, width, height);
   const TemplateDrawing drawing = drawingOf(shape, scene, camera);
   // A surface that is not seen must not cut a hole into the base plane.
-  if (!drawing.mesh_visible) drawGround(drawing, camera);
+  if (!drawing.mesh_visible) drawGround(drawing, camera, scene.scale);
   drawMesh(drawing, camera);
-  if (drawing.mesh_visible) drawGround(drawing, camera);
+  if (drawing.mesh_visible) drawGround(drawing, camera, scene.scale);
   strokes_.draw(strokeTriangles(drawing.strokes, camera, width, height), StrokePass::Hiding::by_depth);
 }
 

@@ -21,7 +21,7 @@ class TemplatePass {
 
  private:
   void drawMesh(const TemplateDrawing& drawing, const TemplateCamera& camera) const;
-  void drawGround(const TemplateDrawing& drawing, const TemplateCamera& camera) const;
+  void drawGround(const TemplateDrawing& drawing, const TemplateCamera& camera, double scale) const;
 
   gl::Program mesh_, ground_;
   StrokePass strokes_;

@@ -198,5 +198,38 @@ TEST_F(TemplatePixels, AMissingLayerIsRefusedByName) {
   EXPECT_FALSE(renderer_->drawToTexture(scene_, 64, 64));
 }
 
+/// Mean difference per component, of 255, between a picture and one of half its size.
+double meanDifference(const Image& large, const Image& small) {
+  double sum = 0.0;
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x)
+      for (int k = 0; k < 3; ++k) {
+        const int four = large.pixel(2 * x, 2 * y)[k] + large.pixel(2 * x + 1, 2 * y)[k] + large.pixel(2 * x, 2 * y + 1)[k] + large.pixel(2 * x + 1, 2 * y + 1)[k];
+        sum += std::abs(0.25 * four - small.pixel(x, y)[k]);
+      }
+  return sum / (3.0 * small.width * small.height);
+}
+
+TEST_F(TemplatePixels, WithTwiceTheScaleLinesAndDotsOfAPictureTwiceAsLargeGrowAlong) {
+  scene_.handles = true;
+  for (const TemplateView view : {TemplateView::splines, TemplateView::polygons, TemplateView::surface}) {
+    scene_.view = view;
+    scene_.scale = 1.0;
+    const Image small = draw(320, 240), thin = draw(640, 480);
+    scene_.scale = 2.0;
+    const Image large = draw(640, 480);
+    EXPECT_LT(meanDifference(large, small), 0.5 * meanDifference(thin, small)) << static_cast<int>(view);
+    // The dot on top is opaque text colour in its middle: its diameter of 8 grows to 16 pixels.
+    const TemplateShape shape = templateShape(preset_, 0);
+    const TemplateCamera camera(shape, scene_.yaw_rad, scene_.pitch_rad, 640, 480);
+    const auto at = camera.project(shape.handle(TemplateHandle::top));
+    for (const int away : {0, 3, 6}) {
+      const int x = static_cast<int>(at.x) + away, y = static_cast<int>(at.y);
+      EXPECT_GT(large.pixel(x, y)[0], 180) << away;
+      EXPECT_EQ(thin.pixel(x, y)[0] > 180, away < 4) << away;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace npsee::render
