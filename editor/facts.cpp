@@ -88,7 +88,7 @@ Facts Editor::facts() const {
   out.insert(out.end(), {
       {"mode", session.inMission() ? "mission" : "explosion"},
       {"window.width", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.x))}, {"window.height", shortest(static_cast<double>(ImGui::GetIO().DisplaySize.y))},
-      {"dirty", yes(session.dirty())}, {"window.title", session.title()}, {"file", session.path().string()},
+      {"dirty", yes(session.file().dirty())}, {"window.title", session.title()}, {"file", session.file().path().string()},
       {"question", yes(session.asking() != Intent::none)}, {"quitting", yes(session.quitting())},
       {"files", kModes[static_cast<int>(session.files.mode)]},
       {"error", session.notices.error}, {"note", session.notices.note}, {"hint", state().hint}, {"typing", state().typing.name},

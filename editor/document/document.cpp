@@ -6,15 +6,6 @@
 namespace npsee::editor {
 namespace {
 
-Preset starter() {
-  Preset preset;
-  preset.title = "New effect";
-  Layer layer;
-  layer.count = 100;  // the size of the thesis's own example
-  preset.layers.push_back(layer);
-  return preset;
-}
-
 /// Indices of `root` and of every layer that hangs on it, directly or not.
 std::vector<bool> subtree(const Preset& preset, std::size_t root) {
   std::vector<bool> in(preset.layers.size(), false);
@@ -31,20 +22,20 @@ std::vector<bool> subtree(const Preset& preset, std::size_t root) {
 
 }  // namespace
 
-Document::Document() { startNew(); }
-
-void Document::select(int layer) {
-  now_.layer = std::clamp(layer, 0, std::max(0, static_cast<int>(preset().layers.size()) - 1));
+Preset Snapshot::fresh() {
+  Preset preset;
+  preset.title = "New effect";
+  Layer layer;
+  layer.count = 100;  // the size of the thesis's own example
+  preset.layers.push_back(layer);
+  return preset;
 }
 
-Expected<void> Document::edit(std::string_view label, std::string_view merge_key, const std::function<void(Preset&)>& change) {
-  Preset changed = preset();
-  change(changed);
-  if (changed == preset()) return {};
-  if (const std::vector<Fault> faults = validate(changed); !faults.empty()) return fail(ErrorKind::usage, faults.front());
-  history_.record(now_, label, merge_key);
-  take({std::make_shared<const Preset>(std::move(changed)), now_.layer});
-  return {};
+void Snapshot::settle() { layer = std::clamp(layer, 0, std::max(0, static_cast<int>(content->layers.size()) - 1)); }
+
+void Document::select(int layer) {
+  now_.layer = layer;
+  now_.settle();
 }
 
 Expected<void> Document::assign(const Parameter& parameter, const Value& value, std::string_view merge_key) {
@@ -119,75 +110,6 @@ Expected<void> Document::renameLayer(std::string_view name) {
   Expected<void> renamed;
   auto done = edit("Rename layer", {}, [&](Preset& preset) { renamed = npsee::renameLayer(preset, static_cast<std::size_t>(selected()), name); });
   return renamed ? done : renamed;
-}
-
-bool Document::undo() {
-  if (!history_.canUndo()) return false;
-  endMerge();
-  if (history_.canUndo()) take(history_.undo(now_));
-  return true;
-}
-
-bool Document::redo() {
-  if (!history_.canRedo()) return false;
-  take(history_.redo(now_));
-  return true;
-}
-
-std::string Document::name() const {
-  if (path_.empty()) return "untitled";
-  std::string name = path_.filename().string();
-  for (const std::string_view ending : {".npsee.json", ".json"})
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  return name;
-}
-
-bool Document::dirty() const { return now_.preset != saved_ && *now_.preset != *saved_; }
-
-void Document::startNew() { become(starter(), {}); }
-
-Expected<void> Document::load(const std::filesystem::path& path) {
-  auto preset = loadPreset(path);
-  if (!preset) return tl::unexpected<Error>(std::move(preset.error()));
-  become(std::move(*preset), path);
-  return {};
-}
-
-Expected<void> Document::save() {
-  if (path_.empty()) return fail(ErrorKind::output, "The preset has no file yet.", "Use Save as and give it a name.");
-  auto done = savePreset(preset(), path_);
-  if (done) saved_ = now_.preset;
-  return done;
-}
-
-std::filesystem::path Document::fileFor(const std::filesystem::path& path) {
-  std::filesystem::path out = path;
-  if (!out.filename().empty() && out.extension().empty()) out += ".npsee.json";
-  return out;
-}
-
-Expected<void> Document::saveAs(const std::filesystem::path& path) {
-  std::filesystem::path target = fileFor(path);
-  if (target.filename().empty()) return fail(ErrorKind::output, "The name of the file is missing.", "Write a name after the folder.");
-  auto done = savePreset(preset(), target);
-  if (!done) return done;
-  saved_ = now_.preset;
-  path_ = std::move(target);
-  return done;
-}
-
-void Document::become(Preset preset, std::filesystem::path path) {
-  now_ = {std::make_shared<const Preset>(std::move(preset)), 0};
-  saved_ = now_.preset;
-  path_ = std::move(path);
-  history_.clear();
-  ++revision_;
-}
-
-void Document::take(Snapshot snapshot) {
-  now_ = std::move(snapshot);
-  select(now_.layer);
-  ++revision_;
 }
 
 }  // namespace npsee::editor

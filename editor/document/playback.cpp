@@ -1,6 +1,5 @@
 #include "editor/document/playback.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace npsee::editor {
@@ -15,25 +14,6 @@ void Playback::advance(double elapsed_s) {
     time_s = duration_s;
     playing = false;
   }
-}
-
-void Playback::toggle() {
-  playing = !playing;
-  if (playing && time_s >= duration_s) time_s = 0.0;
-}
-
-void Playback::step(int frames) {
-  playing = false;
-  // From an integer count of frames, so that steps to and fro meet the same moments.
-  const double now = std::round(time_s / kFrame_s);
-  seek((now + frames) * kFrame_s);
-}
-
-void Playback::seek(double to_s) { time_s = std::clamp(to_s, 0.0, std::max(0.0, duration_s)); }
-
-void Playback::setDuration(double duration) {
-  duration_s = std::max(0.0, duration);
-  seek(time_s);
 }
 
 }  // namespace npsee::editor

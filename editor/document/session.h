@@ -116,10 +116,10 @@ class Session {
   bool quitting() const { return quitting_; }
 
   /// Undo and redo of the mode's document.
-  bool undo();
-  bool redo();
+  bool undo() { return file().undo(); }
+  bool redo() { return file().redo(); }
   /// A drag is over.
-  void endMerge();
+  void endMerge() { file().endMerge(); }
 
   /// Saves to the document's file, or shows the file panel if it has none.
   void save();
@@ -135,17 +135,16 @@ class Session {
 
   /// "name *" as the window's title shows it.
   std::string title() const;
-  /// Name, dirty mark and file of the mode's document.
-  std::string name() const;
-  bool dirty() const;
-  const std::filesystem::path& path() const;
+  /// The mode's document, whichever it is.
+  const FileDocument& file() const { return fileOf(mode); }
+  FileDocument& file() { return const_cast<FileDocument&>(fileOf(mode)); }
 
  private:
   void begin(Intent intent, std::filesystem::path path = {});
   std::optional<WorkMode> endangered() const;
   void goOn();
   void proceed();
-  Expected<void> saveDocumentAs(const std::filesystem::path& path);
+  const FileDocument& fileOf(WorkMode which) const;
   void updateExplosion(double elapsed_s);
   void loadNow(const std::filesystem::path& path);
   void takeCompiled();

@@ -27,7 +27,7 @@ std::optional<WorkMode> Session::endangered() const {
   const WorkMode replaced = intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode;
   for (const WorkMode which : {WorkMode::explosion, WorkMode::mission}) {
     if (intent_ == Intent::none || given_up_[static_cast<std::size_t>(which)] || (intent_ != Intent::quit && which != replaced)) continue;
-    if (which == WorkMode::explosion ? document.dirty() : mission_->document.dirty()) return which;
+    if (fileOf(which).dirty()) return which;
   }
   return std::nullopt;
 }
@@ -38,7 +38,7 @@ void Session::goOn() {
   else proceed();
 }
 
-std::string Session::askingAbout() const { return name(); }
+std::string Session::askingAbout() const { return file().name(); }
 
 void Session::proceed() {
   const Intent intent = std::exchange(intent_, Intent::none);
@@ -84,31 +84,24 @@ void Session::answer(Answer answer) {
   save();
 }
 
-std::string Session::name() const { return inMission() ? mission_->document.name() : document.name(); }
-bool Session::dirty() const { return inMission() ? mission_->document.dirty() : document.dirty(); }
-const fs::path& Session::path() const { return inMission() ? mission_->document.path() : document.path(); }
-std::string Session::title() const { return name() + (dirty() ? " *" : ""); }
+const FileDocument& Session::fileOf(WorkMode which) const { return which == WorkMode::mission ? static_cast<const FileDocument&>(mission_->document) : document; }
 
-bool Session::undo() { return inMission() ? mission_->document.undo() : document.undo(); }
-bool Session::redo() { return inMission() ? mission_->document.redo() : document.redo(); }
-void Session::endMerge() { inMission() ? mission_->document.endMerge() : document.endMerge(); }
+std::string Session::title() const { return file().name() + (file().dirty() ? " *" : ""); }
 
 void Session::save() {
-  if (path().empty()) return showFiles(FilePanel::Mode::save_as);
-  if (!took(inMission() ? mission_->document.save() : document.save())) {
+  if (file().path().empty()) return showFiles(FilePanel::Mode::save_as);
+  if (!took(file().save())) {
     proceed_after_save_ = false;
     return;
   }
-  notices = {{}, "Saved " + path().string()};
+  notices = {{}, "Saved " + file().path().string()};
   if (std::exchange(proceed_after_save_, false)) goOn();
 }
 
-Expected<void> Session::saveDocumentAs(const fs::path& path) { return inMission() ? mission_->document.saveAs(path) : document.saveAs(path); }
-
 void Session::showFiles(FilePanel::Mode wanted) {
   files.mode = wanted;
-  const fs::path start = !path().empty() ? path().parent_path() : inMission() && !options_.missions.empty() ? options_.missions : files.listing.folder;
-  files.name = wanted == FilePanel::Mode::save_as ? name() + (inMission() ? ".mission.json" : ".npsee.json") : "";
+  const fs::path start = !file().path().empty() ? file().path().parent_path() : inMission() && !options_.missions.empty() ? options_.missions : files.listing.folder;
+  files.name = wanted == FilePanel::Mode::save_as ? file().name() + std::string(file().ending()) : "";
   files.replacing.clear();
   files.listing = listFolder(start);
 }
@@ -128,13 +121,13 @@ void Session::confirmFiles() {
     return;
   }
   if (files.mode == FilePanel::Mode::open) return open(path);
-  const fs::path target = inMission() ? MissionDocument::fileFor(path) : Document::fileFor(path);
-  if (fs::exists(target, ignored) && target != this->path() && target != files.replacing) {
+  const fs::path target = file().fileFor(path);
+  if (fs::exists(target, ignored) && target != file().path() && target != files.replacing) {
     files.replacing = target;
     return;
   }
-  if (!took(saveDocumentAs(path))) return;
-  notices = {{}, "Saved " + this->path().string()};
+  if (!took(file().saveAs(path))) return;
+  notices = {{}, "Saved " + file().path().string()};
   const bool go_on = proceed_after_save_;
   closeFiles();
   if (go_on) goOn();

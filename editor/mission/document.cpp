@@ -8,17 +8,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEnding = ".mission.json";
-
-Scenario starter() {
-  Scenario scenario;
-  scenario.title = "New mission";
-  scenario.world.size_x_m = scenario.world.size_z_m = 10000.0;
-  return scenario;
-}
-
-std::shared_ptr<const MissionCommands> noCommands() { return std::make_shared<const MissionCommands>(); }
-
 /// The files beside the mission that it names. A name without a file there is that of something shipped.
 std::vector<fs::path> namedFiles(const Scenario& scenario) {
   std::vector<fs::path> out{scenario.weapons, scenario.facts, scenario.world.terrain.file};
@@ -47,24 +36,21 @@ Expected<void> takeFilesAlong(const Scenario& scenario, const fs::path& folder) 
 
 }  // namespace
 
-bool isMissionFile(const fs::path& path) { return path.filename().string().ends_with(kEnding); }
+bool isMissionFile(const fs::path& path) { return path.filename().string().ends_with(MissionSnapshot::kEnding); }
 
-MissionDocument::MissionDocument() { startNew(); }
-
-Expected<void> MissionDocument::edit(std::string_view label, std::string_view merge_key, const std::function<void(Scenario&)>& change) {
-  Scenario changed = scenario();
-  change(changed);
-  if (changed == scenario()) return {};
-  if (const std::vector<Fault> faults = validate(changed); !faults.empty()) return fail(ErrorKind::usage, faults.front());
-  history_.record(now_, label, merge_key);
-  take({std::make_shared<const Scenario>(std::move(changed)), now_.commands, now_.selected});
-  return {};
+Scenario MissionSnapshot::fresh() {
+  Scenario scenario;
+  scenario.title = "New mission";
+  scenario.world.size_x_m = scenario.world.size_z_m = 10000.0;
+  return scenario;
 }
 
 void MissionDocument::command(std::string_view label, std::string_view merge_key, MissionCommands commands) {
   if (commands == *now_.commands) return;
-  history_.record(now_, label, merge_key);
-  take({now_.scenario, std::make_shared<const MissionCommands>(std::move(commands)), now_.selected});
+  record(label, merge_key);
+  MissionSnapshot next = now_;
+  next.commands = std::make_shared<const MissionCommands>(std::move(commands));
+  take(std::move(next));
 }
 
 Expected<void> MissionDocument::add(std::string_view label, const std::function<ObjectRef(Scenario&)>& change) {
@@ -97,76 +83,11 @@ Expected<void> MissionDocument::renameObject(const ObjectRef& ref, const std::st
   return done;
 }
 
-bool MissionDocument::undo() {
-  if (!history_.canUndo()) return false;
-  endMerge();
-  if (history_.canUndo()) take(history_.undo(now_));
-  return true;
-}
-
-bool MissionDocument::redo() {
-  if (!history_.canRedo()) return false;
-  take(history_.redo(now_));
-  return true;
-}
-
-std::string MissionDocument::name() const {
-  if (path_.empty()) return "untitled";
-  std::string name = path_.filename().string();
-  for (const std::string_view ending : {kEnding, std::string_view(".json")})
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  return name;
-}
-
-bool MissionDocument::dirty() const { return now_.scenario != saved_ && *now_.scenario != *saved_; }
-
-void MissionDocument::startNew() { become(starter(), {}); }
-
-Expected<void> MissionDocument::load(const fs::path& path) {
-  auto scenario = loadScenario(path);
-  if (!scenario) return tl::unexpected<Error>(std::move(scenario.error()));
-  become(std::move(*scenario), path);
-  return {};
-}
-
-Expected<void> MissionDocument::save() {
-  if (path_.empty()) return fail(ErrorKind::output, "The mission has no file yet.", "Use Save as and give it a name.");
-  auto done = saveScenario(scenario(), path_);
-  if (done) saved_ = now_.scenario;
-  return done;
-}
-
-fs::path MissionDocument::fileFor(const fs::path& path) {
-  fs::path out = path;
-  if (!out.filename().empty() && out.extension().empty()) out += kEnding;
-  return out;
-}
-
-Expected<void> MissionDocument::saveAs(const fs::path& path) {
-  fs::path target = fileFor(path);
-  if (target.filename().empty()) return fail(ErrorKind::output, "The name of the file is missing.", "Write a name after the folder.");
+Expected<Scenario> MissionDocument::broughtTo(const fs::path& folder) const {
+  if (auto done = takeFilesAlong(scenario(), folder); !done) return tl::unexpected<Error>(std::move(done.error()));
   Scenario moved = scenario();
-  moved.folder = target.parent_path();
-  auto done = takeFilesAlong(scenario(), moved.folder);
-  if (done) done = saveScenario(moved, target);
-  if (!done) return done;
-  if (moved != scenario()) take({std::make_shared<const Scenario>(std::move(moved)), now_.commands, now_.selected});
-  saved_ = now_.scenario;
-  path_ = std::move(target);
-  return done;
-}
-
-void MissionDocument::become(Scenario scenario, fs::path path) {
-  now_ = {std::make_shared<const Scenario>(std::move(scenario)), noCommands(), {}};
-  saved_ = now_.scenario;
-  path_ = std::move(path);
-  history_.clear();
-  ++revision_;
-}
-
-void MissionDocument::take(MissionSnapshot snapshot) {
-  now_ = std::move(snapshot);
-  ++revision_;
+  moved.folder = folder;
+  return moved;
 }
 
 }  // namespace npsee::editor

@@ -18,8 +18,8 @@ namespace {
 using Ui = const PanelContext&;
 
 bool hasLayer(Ui ui) { return ui.session.document.hasLayer(); }
-bool canUndo(Ui ui) { return ui.session.inMission() ? ui.session.mission().document.history().canUndo() : ui.session.document.history().canUndo(); }
-bool canRedo(Ui ui) { return ui.session.inMission() ? ui.session.mission().document.history().canRedo() : ui.session.document.history().canRedo(); }
+bool canUndo(Ui ui) { return ui.session.file().canUndo(); }
+bool canRedo(Ui ui) { return ui.session.file().canRedo(); }
 
 template <render::TemplateView view>
 void showView(Ui ui) {
@@ -34,16 +34,6 @@ bool showsView(Ui ui) {
 void lookFrom(Ui ui, const char* name) {
   if (ui.session.explosion() == nullptr) return;
   if (const auto camera = render::parseCamera(name, ui.session.explosion()->extent(), ui.session.aspect())) ui.session.camera = *camera;
-}
-
-void changeSpeed(Ui ui, int by) {
-  Playback& playback = ui.session.playback;
-  for (int i = 0; i < static_cast<int>(Playback::kSpeeds.size()); ++i)
-    if (playback.speed <= Playback::kSpeeds[static_cast<std::size_t>(i)]) {
-      const int to = std::clamp(i + by, 0, static_cast<int>(Playback::kSpeeds.size()) - 1);
-      playback.speed = Playback::kSpeeds[static_cast<std::size_t>(to)];
-      return;
-    }
 }
 
 using enum render::TemplateView;
@@ -83,8 +73,8 @@ const std::array kCommon{
     Action{"Time", "Go to the burst", "0", [](Ui ui) { ui.session.playback.seek(0.0); }, nullptr, nullptr, false, kExplosion},
     Action{"Time", "Step back", "Comma", [](Ui ui) { ui.session.playback.step(-1); }, nullptr, nullptr, false, kExplosion},
     Action{"Time", "Step on", "Period", [](Ui ui) { ui.session.playback.step(1); }, nullptr, nullptr, false, kExplosion},
-    Action{"Time", "Slower", "LeftBracket", [](Ui ui) { changeSpeed(ui, -1); }, nullptr, nullptr, false, kExplosion},
-    Action{"Time", "Faster", "RightBracket", [](Ui ui) { changeSpeed(ui, 1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Slower", "LeftBracket", [](Ui ui) { ui.session.playback.changeSpeed(-1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Faster", "RightBracket", [](Ui ui) { ui.session.playback.changeSpeed(1); }, nullptr, nullptr, false, kExplosion},
     Action{"Time", "Loop", "L", [](Ui ui) { ui.session.playback.loop = !ui.session.playback.loop; }, nullptr, [](Ui ui) { return ui.session.playback.loop; }, false, kExplosion},
     Action{"View", "Mission mode", "F6", changeMode, nullptr, [](Ui ui) { return ui.session.inMission(); }},
     Action{"Help", "Keys and mouse", "F1", [](Ui ui) { ui.state.show_help = !ui.state.show_help; }, nullptr, [](Ui ui) { return ui.state.show_help; }},

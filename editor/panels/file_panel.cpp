@@ -102,7 +102,7 @@ void drawLibraryList(const PanelContext& ui) {
   ImGui::BeginChild("library", ImVec2(0, 0));
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   std::error_code ignored;
-  const auto& path = ui.session.path();
+  const auto& path = ui.session.file().path();
   const std::filesystem::path now = path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal();
   for (const LibraryEntry& entry : ui.session.library()) libraryLine(ui, entry, entry.path == now);
   if (ui.session.library().empty()) {

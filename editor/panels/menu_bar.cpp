@@ -25,11 +25,8 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
     const bool checked = action.checked != nullptr && action.checked(ui);
     const bool enabled = action.enabled == nullptr || action.enabled(ui);
     std::string shown = label;
-    const bool mission = ui.session.inMission();
-    const History& preset = ui.session.document.history();
-    const MissionHistory& history = ui.session.mission().document.history();
-    if (label == "Undo" && enabled) shown += ' ' + std::string(mission ? history.undoLabel() : preset.undoLabel());
-    if (label == "Redo" && enabled) shown += ' ' + std::string(mission ? history.redoLabel() : preset.redoLabel());
+    if (label == "Undo" && enabled) shown += ' ' + std::string(ui.session.file().undoLabel());
+    if (label == "Redo" && enabled) shown += ' ' + std::string(ui.session.file().redoLabel());
     if (ImGui::MenuItem((shown + "###" + label).c_str(), shortcut.c_str(), checked, enabled)) action.run(ui);
     ui.item("item:" + label);
   }
@@ -38,8 +35,8 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
 
 /// File name with the mark of unsaved work, at the bar's right end.
 void drawTitle(const PanelContext& ui) {
-  const std::string name = ui.session.name();
-  const bool dirty = ui.session.dirty();
+  const std::string name = ui.session.file().name();
+  const bool dirty = ui.session.file().dirty();
   const float mark = ui.px(16), right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.px(12);
   const float top = ImGui::GetWindowPos().y, height = ImGui::GetFrameHeight();
   ImGui::PushFont(ui.fonts.bold);

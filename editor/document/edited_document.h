@@ -1,0 +1,121 @@
+#pragma once
+
+#include "editor/document/file_document.h"
+#include "editor/document/history.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace npsee::editor {
+
+/// A document whose content is an immutable value, edited by replacing it and undone by going back to the one before. The content is
+/// valid at every moment: an edit that would break one of its rules is refused and changes nothing.
+///
+/// `State` is a moment of it: a small value with `content`, a shared_ptr<const Content>, and what goes with it, such as what is
+/// selected. It also says how that kind of document is made and filed: types and functions `Content`, `kWhat`, `kEnding`, `fresh()`,
+/// `read(path)`, `write(content, path)`, and `settle()`, which makes the rest fit a new content.
+template <class State>
+class EditedDocument : public FileDocument {
+ public:
+  using Content = typename State::Content;
+
+  /// New and unsaved.
+  EditedDocument() : FileDocument(State::kWhat, State::kEnding) { become(State::fresh(), {}); }
+
+  const Content& content() const { return *now_.content; }
+  std::shared_ptr<const Content> snapshot() const { return now_.content; }
+  /// Differs after every change, undo and load included.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Applies `change` to a copy and takes it over if it is valid and differs. `label` names the undo step; edits with the same
+  /// nonempty `merge_key` are one step until endMerge(). Error kind usage: why the change was refused.
+  Expected<void> edit(std::string_view label, std::string_view merge_key, const std::function<void(Content&)>& change) {
+    Content changed = content();
+    change(changed);
+    if (changed == content()) return {};
+    if (const auto faults = validate(changed); !faults.empty()) return fail(ErrorKind::usage, faults.front());
+    record(label, merge_key);
+    take(with(std::move(changed)));
+    return {};
+  }
+
+  bool dirty() const override { return now_.content != saved_ && *now_.content != *saved_; }
+  const BasicHistory<State>& history() const { return history_; }
+  bool canUndo() const override { return history_.canUndo(); }
+  bool canRedo() const override { return history_.canRedo(); }
+  std::string_view undoLabel() const override { return history_.undoLabel(); }
+  std::string_view redoLabel() const override { return history_.redoLabel(); }
+  void endMerge() override { history_.endMerge(now_); }
+  bool undo() override {
+    if (!history_.canUndo()) return false;
+    endMerge();
+    if (history_.canUndo()) take(history_.undo(now_));
+    return true;
+  }
+  bool redo() override {
+    if (!history_.canRedo()) return false;
+    take(history_.redo(now_));
+    return true;
+  }
+
+  void startNew() override { become(State::fresh(), {}); }
+  Expected<void> load(const std::filesystem::path& path) override {
+    auto content = State::read(path);
+    if (!content) return tl::unexpected<Error>(std::move(content.error()));
+    become(std::move(*content), path);
+    return {};
+  }
+  Expected<void> save() override {
+    if (path_.empty()) return missingFile();
+    auto done = State::write(content(), path_);
+    if (done) saved_ = now_.content;
+    return done;
+  }
+  Expected<void> saveAs(const std::filesystem::path& path) override {
+    std::filesystem::path target = fileFor(path);
+    if (target.filename().empty()) return missingName();
+    auto moved = broughtTo(target.parent_path());
+    if (!moved) return tl::unexpected<Error>(std::move(moved.error()));
+    if (auto done = State::write(*moved, target); !done) return done;
+    if (*moved != content()) take(with(std::move(*moved)));
+    saved_ = now_.content;
+    path_ = std::move(target);
+    return {};
+  }
+
+ protected:
+  /// The content as a file in that folder holds it, after what it needs beside it was put there. Error kind output.
+  virtual Expected<Content> broughtTo(const std::filesystem::path&) const { return content(); }
+
+  /// The present state with another content.
+  State with(Content content) const {
+    State out = now_;
+    out.content = std::make_shared<const Content>(std::move(content));
+    return out;
+  }
+  void record(std::string_view label, std::string_view merge_key) { history_.record(now_, label, merge_key); }
+  void take(State state) {
+    now_ = std::move(state);
+    now_.settle();
+    ++revision_;
+  }
+
+  State now_;
+
+ private:
+  void become(Content content, std::filesystem::path path) {
+    now_ = {};
+    take(with(std::move(content)));
+    saved_ = now_.content;
+    path_ = std::move(path);
+    history_.clear();
+  }
+
+  std::shared_ptr<const Content> saved_;
+  BasicHistory<State> history_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace npsee::editor

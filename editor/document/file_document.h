@@ -1,0 +1,56 @@
+#pragma once
+
+#include <npsee/error.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace npsee::editor {
+
+/// What the session does with any document, whatever is in it: file, unsaved work, undo and redo.
+class FileDocument {
+ public:
+  /// `what` names the kind in messages ("preset"), `ending` its files (".npsee.json").
+  FileDocument(std::string_view what, std::string_view ending) : what_(what), ending_(ending) {}
+  virtual ~FileDocument() = default;
+
+  /// Path of the file, empty for a document never saved.
+  const std::filesystem::path& path() const { return path_; }
+  /// File name without its ending, or "untitled".
+  std::string name() const;
+  std::string_view ending() const { return ending_; }
+  /// The file that saving as `path` writes: adds the ending where the name has no extension.
+  std::filesystem::path fileFor(const std::filesystem::path& path) const;
+
+  /// True if the content differs from what the file holds.
+  virtual bool dirty() const = 0;
+  virtual bool canUndo() const = 0;
+  virtual bool canRedo() const = 0;
+  /// False if there was nothing to undo or redo.
+  virtual bool undo() = 0;
+  virtual bool redo() = 0;
+  /// What undo or redo would change, e.g. "Ejection angle"; empty if nothing.
+  virtual std::string_view undoLabel() const = 0;
+  virtual std::string_view redoLabel() const = 0;
+  /// A drag is over: what it changed is one step.
+  virtual void endMerge() = 0;
+
+  virtual void startNew() = 0;
+  /// Errors leave the document as it was. Kinds input and output.
+  virtual Expected<void> load(const std::filesystem::path& path) = 0;
+  virtual Expected<void> save() = 0;
+  /// Saves to fileFor(path), to which the document then belongs.
+  virtual Expected<void> saveAs(const std::filesystem::path& path) = 0;
+
+ protected:
+  Expected<void> missingFile() const;
+  static Expected<void> missingName();
+
+  std::filesystem::path path_;
+
+ private:
+  std::string_view what_, ending_;
+};
+
+}  // namespace npsee::editor
