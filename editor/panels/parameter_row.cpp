@@ -46,69 +46,25 @@ void numberRow(const PanelContext& ui, const Row& row) {
   ImGui::PopFont();
 }
 
-void booleanRow(const PanelContext& ui, const Row& row) {
-  const bool on = std::get<bool>(row.value);
-  const float width = ui.px(34), height = ui.px(18);
-  const ImVec2 at{row.control.at.x, std::floor(row.control.at.y + 0.5f * (row.control.height - height))};
-  ImGui::SetCursorScreenPos(at);
-  const bool clicked = ImGui::InvisibleButton(("toggle:" + row.name).c_str(), ImVec2(width, height));
-  ui.item("toggle:" + row.name);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 fill = !on ? ui.theme.line : row.changed ? ui.theme.accent : ui.theme.dim;
-  list.AddRectFilled(at, {at.x + width, at.y + height}, fill, 0.5f * height);
-  const float knob = on ? at.x + width - 0.5f * height : at.x + 0.5f * height;
-  list.AddCircleFilled({knob, at.y + 0.5f * height}, 0.5f * height - ui.px(3), on ? ui.theme.background : ui.theme.dim, 20);
-  rowText({at.x + width + ui.px(8), row.control.at.y}, ui.px(60), row.control.height, ui.theme.dim, on ? "on" : "off");
-  if (clicked) commit(ui, row, !on);
-}
-
-void choiceList(const PanelContext& ui, const Row& row, const std::vector<std::pair<std::string, std::string>>& choices) {
-  const auto& now = std::get<std::string>(row.value);
-  std::string label = now;
-  for (const auto& [key, text] : choices)
-    if (key == now) label = text;
-  ImGui::SetCursorScreenPos({row.control.at.x, row.control.at.y + ui.px(1)});
-  ImGui::SetNextItemWidth(row.control.width);
-  if (!beginChoice(ui, row.name, label, row.changed)) return ui.item("choice:" + row.name);
-  for (const auto& [key, text] : choices) {
-    if (ImGui::Selectable(text.c_str(), key == now, 0, ImVec2(0, ui.px(22)))) commit(ui, row, key);
-    ui.item("choice:" + row.name + '=' + key);
-  }
-  ImGui::EndCombo();
+Choices choicesOf(const PanelContext& ui, const Row& row) {
+  Choices out;
+  for (const std::string_view key : row.parameter.choices) out.emplace_back(key, key);
+  if (row.parameter.key != "parent") return out;
+  // The layers that the selected one can hang on: all but itself. A ring of parents is refused by the document.
+  const Document& document = ui.session.document;
+  out.emplace_back("", "the burst");
+  for (const Layer& layer : document.preset().layers)
+    if (layer.name != document.layer().name) out.emplace_back(layer.name, layer.name);
+  return out;
 }
 
 void choiceRow(const PanelContext& ui, const Row& row) {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const std::string_view key : row.parameter.choices) choices.emplace_back(key, key);
-  choiceList(ui, row, choices);
-}
-
-/// The layers that the selected one can hang on: all but itself. A ring of parents is refused by the document.
-void parentRow(const PanelContext& ui, const Row& row) {
-  const Document& document = ui.session.document;
-  std::vector<std::pair<std::string, std::string>> choices{{"", "the burst"}};
-  for (const Layer& layer : document.preset().layers)
-    if (layer.name != document.layer().name) choices.emplace_back(layer.name, layer.name);
-  choiceList(ui, row, choices);
+  if (const auto chosen = choiceWidget(ui, row.name, std::get<std::string>(row.value), choicesOf(ui, row), row.changed, row.control)) commit(ui, row, *chosen);
 }
 
 void textRow(const PanelContext& ui, const Row& row) {
   const auto& text = std::get<std::string>(row.value);
-  ImGui::SetCursorScreenPos(row.control.at);
-  const bool clicked = ImGui::InvisibleButton(("text:" + row.name).c_str(), ImVec2(row.control.width, row.control.height));
-  ui.item("text:" + row.name);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({row.control.at.x, row.control.at.y + ui.px(2)}, {row.control.right(), row.control.end().y - ui.px(2)}, ImGui::IsItemHovered() ? ui.theme.raised : ui.theme.background, ui.px(4));
-  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  if (longText(row.parameter)) {
-    const ImVec2 at{row.control.at.x + ui.px(8), row.control.at.y + ui.px(6)};
-    list.PushClipRect(row.control.at, row.control.end(), true);
-    list.AddText(ui.fonts.text, ui.fonts.text->FontSize, at, text.empty() ? ui.theme.dim : ui.theme.text, text.empty() ? "none" : text.c_str(), nullptr, row.control.width - ui.px(16));
-    list.PopClipRect();
-  } else {
-    rowText({row.control.at.x + ui.px(8), row.control.at.y}, row.control.width - ui.px(12), row.control.height, text.empty() ? ui.theme.dim : ui.theme.text, text.empty() ? "none" : text);
-  }
-  if (clicked) beginTyping(ui, row.name, text);
+  if (textWidget(ui, row.name, text, "none", ui.theme.text, row.control)) beginTyping(ui, row.name, text);
 }
 
 void vectorRow(const PanelContext& ui, const Row& row) {
@@ -134,39 +90,27 @@ void vectorRow(const PanelContext& ui, const Row& row) {
   }
 }
 
-/// Stands left of the panel, so that it hides neither the row nor its neighbours.
-void drawTooltip(const PanelContext& ui, const Row& row, const ImVec2& beside) {
+void drawHelp(const PanelContext& ui, const Row& row, const RowFrame& frame) {
   const Parameter& p = row.parameter;
-  ImGui::SetNextWindowPos({beside.x - ui.px(16), beside.y}, ImGuiCond_Always, {1.0f, 0.0f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(330));
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
-  ImGui::PopFont();
-  ImGui::TextUnformatted(p.doc.data(), p.doc.data() + p.doc.size());
-  const auto line = [&](const std::string& text) { ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.dim), "%s", text.c_str()); };
-  if (!p.thesis.empty()) line("In the 1993 thesis: " + std::string(p.thesis) + ".");
+  RowHelp help{std::string(p.label), std::string(p.doc), {}, row.idle};
+  if (!p.thesis.empty()) help.lines.push_back("In the 1993 thesis: " + std::string(p.thesis) + ".");
   const std::string unit = symbol(p.unit).empty() ? "" : ' ' + std::string(symbol(p.unit));
   if (p.type == ParameterType::number || p.type == ParameterType::integer || p.type == ParameterType::vector)
-    line("From " + shortest(p.hard.min) + " to " + shortest(p.hard.max) + unit + ".");
-  line("Now " + clipped(valueText(p, row.value, true)) + ", by default " + clipped(valueText(p, p.initial, true)) + '.');
-  ImGui::PushFont(ui.fonts.numbers);
-  line(row.name);
-  ImGui::PopFont();
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+    help.lines.push_back("From " + shortest(p.hard.min) + " to " + shortest(p.hard.max) + unit + ".");
+  help.lines.push_back("Now " + clipped(valueText(p, row.value, true)) + ", by default " + clipped(valueText(p, p.initial, true)) + '.');
+  drawRowHelp(ui, frame, help);
 }
 
 void drawWidget(const PanelContext& ui, const Row& row) {
   if (typingIn(ui, row.name)) return typedRow(ui, row);
   switch (row.parameter.type) {
-    case ParameterType::boolean: return booleanRow(ui, row);
+    case ParameterType::boolean:
+      if (const bool on = std::get<bool>(row.value); switchWidget(ui, row.name, on, row.changed, row.control)) commit(ui, row, !on);
+      return;
     case ParameterType::integer:
     case ParameterType::number: return numberRow(ui, row);
     case ParameterType::choice: return choiceRow(ui, row);
-    case ParameterType::text: return row.parameter.key == "parent" ? parentRow(ui, row) : textRow(ui, row);
+    case ParameterType::text: return row.parameter.key == "parent" ? choiceRow(ui, row) : textRow(ui, row);
     case ParameterType::vector: return vectorRow(ui, row);
     case ParameterType::colour: return colourRow(ui, row);
     case ParameterType::curve:
@@ -177,29 +121,20 @@ void drawWidget(const PanelContext& ui, const Row& row) {
 }  // namespace
 
 void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(longText(parameter) ? 78 : 26), mark = ui.px(20);
-  const float label_width = std::floor(std::clamp(0.405f * width, ui.px(96), ui.px(152)));
-  Row row{parameter, parameterName(ui.session.document, parameter), ui.session.document.value(parameter), false, {}};
+  const Document& document = ui.session.document;
+  Row row{parameter, parameterName(document, parameter), document.value(parameter), false, {}, {}};
   row.changed = row.value != parameter.initial;
-  row.control = {{at.x + label_width, at.y}, width - label_width - mark, height};
-  takeScripted(ui, row);
-
-  ImGui::InvisibleButton(("row:" + row.name).c_str(), ImVec2(label_width, ui.px(26)));
-  ui.item("row:" + row.name);
-  rowText(at, label_width - ui.px(8), ui.px(26), ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, std::string(parameter.label));
-  if (ui.resting(row.name, std::string(parameter.doc))) drawTooltip(ui, row, at);
+  row.idle = withoutEffect(parameter, document.preset(), document.hasLayer() ? &document.layer() : nullptr);
+  const RowFrame frame = beginRow(ui, row.name, std::string(parameter.label), longText(parameter) ? 92.0f : 26.0f);
+  row.control = frame.control;
+  if (ui.resting(row.name, std::string(parameter.doc))) drawHelp(ui, row, frame);
   if (ImGui::BeginPopupContextItem(("menu:" + row.name).c_str())) {
     drawRowMenu(ui, row);
     ImGui::EndPopup();
   }
+  takeScripted(ui, row);
   drawWidget(ui, row);
-  if (row.changed && resettable(row)) {
-    ImGui::SetCursorScreenPos({at.x + width - mark + ui.px(2), at.y + ui.px(4)});
-    if (iconButton(ui, Icon::reset, "reset:" + row.name, "Back to " + clipped(valueText(parameter, parameter.initial, true)), true, 18)) commit(ui, row, parameter.initial);
-  }
-  ImGui::SetCursorScreenPos(at);
-  ImGui::Dummy(ImVec2(width, height));
+  if (endRow(ui, frame, row.changed && resettable(row) ? clipped(valueText(parameter, parameter.initial, true)) : std::string(), !row.idle.empty())) commit(ui, row, parameter.initial);
   drawLifeList(ui, row);
   drawHistogram(ui, row);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/ui/slider.h"
+#include "editor/ui/row_frame.h"
 
 #include <npsee/parameters.h>
 #include <npsee/units.h>
@@ -16,6 +16,7 @@ struct Row {
   std::string name;  ///< as scripts call it
   Value value;       ///< SI
   bool changed;      ///< differs from its default
+  std::string idle;  ///< why it has no effect now; empty where it has
   Box control;       ///< where the widget goes
 };
 

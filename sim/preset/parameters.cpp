@@ -41,6 +41,11 @@ const Parameter* findParameter(Scope scope, std::string_view key) {
   return nullptr;
 }
 
+std::string_view withoutEffect(const Parameter& parameter, const Preset& preset, const Layer* layer) {
+  static const Layer kNone;
+  return parameter.idle == nullptr ? std::string_view() : parameter.idle(preset, layer != nullptr ? *layer : kNone);
+}
+
 std::string_view title(Section section) {
   switch (section) {
     case Section::about: return "About";

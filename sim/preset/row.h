@@ -36,6 +36,7 @@ struct Words {
   Unit unit = Unit::none;
   Range hard{}, slider{};
   Scale scale = Scale::linear;
+  std::string_view (*idle)(const Preset&, const Layer&) = nullptr;
 };
 
 template <class Member>
@@ -84,6 +85,7 @@ Parameter row(Member Object::*member, const Member& initial, const Words& words)
   out.hard = words.hard;
   out.slider = words.slider.min == words.slider.max ? words.hard : words.slider;
   out.scale = words.scale;
+  out.idle = words.idle;
   if constexpr (std::is_enum_v<Member>) out.choices = Choices<Member>::keys;
   if constexpr (std::is_same_v<Member, double>) out.initial = toSi(words.unit, initial);
   else out.initial = toValue(initial);

@@ -12,7 +12,7 @@ std::vector<Parameter> burstRows() {
   add(row(&Preset::tags, std::string(), {.key = "tags", .label = "Tags", .thesis = "", .doc = "Words to find the preset by, separated by commas.", .section = about, .hard = {0, 400}}));
 
   add(row(&Preset::burst, BurstKind::ground, {.key = "burst", .label = "Burst", .thesis = "air or ground burst", .doc = "A ground burst throws particles up and outward within the ejection angle; an air burst throws them in all directions.", .section = burst}));
-  add(row(&Preset::burst_height_m, 0.0, {.key = "burst_height", .label = "Burst height", .thesis = "", .doc = "Height of an air burst's centre above the ground; a ground burst lies on it.", .section = burst, .unit = Unit::metre, .hard = {0, 5000}, .slider = {0, 100}}));
+  add(row(&Preset::burst_height_m, 0.0, {.key = "burst_height", .label = "Burst height", .thesis = "", .doc = "Height of an air burst's centre above the ground; a ground burst lies on it.", .section = burst, .unit = Unit::metre, .hard = {0, 5000}, .slider = {0, 100}, .idle = [](const Preset& p, const Layer&) -> std::string_view { return p.burst == BurstKind::ground ? "a ground burst lies on the ground" : ""; }}));
   add(row(&Preset::seed, std::int64_t{1993}, {.key = "seed", .label = "Seed", .thesis = "", .doc = "Selects the random draws; the same seed gives the same explosion, bit for bit.", .section = burst, .hard = {0, 9007199254740991.0}, .slider = {0, 9999}}));
 
   add(row(&Preset::gravity_mps2, 9.80665, {.key = "gravity", .label = "Gravity", .thesis = "", .doc = "Acceleration of free fall, downward.", .section = surroundings, .unit = Unit::metre_per_second2, .hard = {0, 100}, .slider = {0, 25}}));

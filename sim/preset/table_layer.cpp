@@ -5,6 +5,25 @@ namespace {
 
 using enum Section;
 using Rows = std::vector<Parameter>;
+using Why = std::string_view;
+
+// Why a parameter has no effect with the others as they are; empty where it has.
+
+template <RegionShape... shapes>
+Why unlessShape(const Preset&, const Layer& layer) {
+  return ((layer.region_shape == shapes) || ...) ? "" : "the region's shape has no such size";
+}
+Why ofAPoint(const Preset&, const Layer& layer) { return layer.region_shape == RegionShape::point ? "a point has no inside" : ""; }
+Why withACount(const Preset&, const Layer& layer) { return layer.count > 0 ? "the count says how many" : ""; }
+Why withoutParent(const Preset&, const Layer& layer) { return layer.parent.empty() ? "the layer hangs on the burst" : ""; }
+Why inAllDirections(const Preset& preset, const Layer& layer) {
+  if (layer.directionality == Directionality::neutral) return "the directionality is neutral";
+  return layer.directionality == Directionality::burst && preset.burst == BurstKind::air && layer.parent.empty() ? "an air burst throws in all directions" : "";
+}
+Why withoutDeviation(double deviation) { return deviation == 0.0 ? "the deviation is 0" : ""; }
+Why straight(const Preset&, const Layer& layer) { return layer.trajectory == Trajectory::linear ? "the trajectory is linear" : ""; }
+Why withoutContact(const Preset&, const Layer& layer) { return layer.collide ? "" : "ground collision is off"; }
+Why overLife(const Preset&, const Layer& layer) { return layer.colour_over_life.empty() ? "" : "the colour over life replaces it"; }
 
 void addIdentity(Rows& rows) {
   rows.push_back(row(&Layer::name, std::string("fragments"), {.key = "name", .label = "Name", .thesis = "", .doc = "Unique name of the layer; letters, digits, space, - and _.", .section = layer, .hard = {1, 40}}));
@@ -14,35 +33,35 @@ void addIdentity(Rows& rows) {
 
 void addHierarchy(Rows& rows) {
   rows.push_back(row(&Layer::parent, std::string(), {.key = "parent", .label = "Hangs on", .thesis = "hierarchy of systems", .doc = "Name of the layer whose particles start this one's; empty for the burst itself.", .section = hierarchy, .hard = {0, 40}}));
-  rows.push_back(row(&Layer::trigger, Trigger::none, {.key = "trigger", .label = "Trigger", .thesis = "", .doc = "When a parent particle starts children: at its birth, spread along its path, at each bounce, or at its death; none without a parent.", .section = hierarchy}));
-  rows.push_back(row(&Layer::inherit_velocity, 0.0, {.key = "inherit_velocity", .label = "Inherit velocity", .thesis = "", .doc = "Share of the parent particle's velocity at that moment that is added to a child's launch velocity.", .section = hierarchy, .unit = Unit::fraction, .hard = {-2, 2}, .slider = {0, 1}}));
+  rows.push_back(row(&Layer::trigger, Trigger::none, {.key = "trigger", .label = "Trigger", .thesis = "", .doc = "When a parent particle starts children: at its birth, spread along its path, at each bounce, or at its death; none without a parent.", .section = hierarchy, .idle = withoutParent}));
+  rows.push_back(row(&Layer::inherit_velocity, 0.0, {.key = "inherit_velocity", .label = "Inherit velocity", .thesis = "", .doc = "Share of the parent particle's velocity at that moment that is added to a child's launch velocity.", .section = hierarchy, .unit = Unit::fraction, .hard = {-2, 2}, .slider = {0, 1}, .idle = withoutParent}));
 }
 
 void addRegion(Rows& rows) {
   rows.push_back(row(&Layer::region_shape, RegionShape::disc, {.key = "region.shape", .label = "Region shape", .thesis = "shape of the region", .doc = "Where particles start. Disc, ring and square lie on the ground plane, line along x; the others have height.", .section = region}));
-  rows.push_back(row(&Layer::region_fill, RegionFill::filled, {.key = "region.fill", .label = "Region fill", .thesis = "", .doc = "Particles start throughout the region, or only on its outer curve or surface (a disc's rim, a sphere's skin, a line's two ends).", .section = region}));
-  rows.push_back(row(&Layer::region_radius_m, 3.0, {.key = "region.radius", .label = "Region radius", .thesis = "size of the region", .doc = "Radius of disc, ring, sphere, hemisphere and cylinder.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}}));
-  rows.push_back(row(&Layer::region_inner_radius_m, 1.5, {.key = "region.inner_radius", .label = "Inner radius", .thesis = "", .doc = "Inner radius of a ring; larger than the radius counts as equal to it.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}}));
-  rows.push_back(row(&Layer::region_length_m, 6.0, {.key = "region.length", .label = "Region length", .thesis = "", .doc = "Extent along x of square, line and box; a square has it along z too.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}}));
-  rows.push_back(row(&Layer::region_width_m, 6.0, {.key = "region.width", .label = "Region width", .thesis = "", .doc = "Extent along z of a box.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}}));
-  rows.push_back(row(&Layer::region_height_m, 3.0, {.key = "region.height", .label = "Region height", .thesis = "", .doc = "Extent along y of box and cylinder, upward from the burst's centre in a ground burst and about it in an air burst.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}}));
+  rows.push_back(row(&Layer::region_fill, RegionFill::filled, {.key = "region.fill", .label = "Region fill", .thesis = "", .doc = "Particles start throughout the region, or only on its outer curve or surface (a disc's rim, a sphere's skin, a line's two ends).", .section = region, .idle = ofAPoint}));
+  rows.push_back(row(&Layer::region_radius_m, 3.0, {.key = "region.radius", .label = "Region radius", .thesis = "size of the region", .doc = "Radius of disc, ring, sphere, hemisphere and cylinder.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}, .idle = unlessShape<RegionShape::disc, RegionShape::ring, RegionShape::sphere, RegionShape::hemisphere, RegionShape::cylinder>}));
+  rows.push_back(row(&Layer::region_inner_radius_m, 1.5, {.key = "region.inner_radius", .label = "Inner radius", .thesis = "", .doc = "Inner radius of a ring; larger than the radius counts as equal to it.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}, .idle = unlessShape<RegionShape::ring>}));
+  rows.push_back(row(&Layer::region_length_m, 6.0, {.key = "region.length", .label = "Region length", .thesis = "", .doc = "Extent along x of square, line and box; a square has it along z too.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}, .idle = unlessShape<RegionShape::square, RegionShape::line, RegionShape::box>}));
+  rows.push_back(row(&Layer::region_width_m, 6.0, {.key = "region.width", .label = "Region width", .thesis = "", .doc = "Extent along z of a box.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}, .idle = unlessShape<RegionShape::box>}));
+  rows.push_back(row(&Layer::region_height_m, 3.0, {.key = "region.height", .label = "Region height", .thesis = "", .doc = "Extent along y of box and cylinder, upward from the burst's centre in a ground burst and about it in an air burst.", .section = region, .unit = Unit::metre, .hard = {0, 2000}, .slider = {0, 60}, .idle = unlessShape<RegionShape::box, RegionShape::cylinder>}));
   rows.push_back(row(&Layer::region_offset_m, Vec3{}, {.key = "region.offset", .label = "Region offset", .thesis = "", .doc = "Place of the region's centre relative to the burst, or to the parent particle.", .section = region, .unit = Unit::metre, .hard = {-1000, 1000}, .slider = {-20, 20}}));
-  rows.push_back(row(&Layer::density, 3.5, {.key = "density", .label = "Density", .thesis = "density of the initial distribution", .doc = "Particles per metre, square metre or cubic metre of the region; per event in a layer with a parent. Not used where a count is given.", .section = region, .unit = Unit::per_metre, .hard = {0, 1000000}, .slider = {0.01, 1000}, .scale = Scale::logarithmic}));
+  rows.push_back(row(&Layer::density, 3.5, {.key = "density", .label = "Density", .thesis = "density of the initial distribution", .doc = "Particles per metre, square metre or cubic metre of the region; per event in a layer with a parent. Not used where a count is given.", .section = region, .unit = Unit::per_metre, .hard = {0, 1000000}, .slider = {0.01, 1000}, .scale = Scale::logarithmic, .idle = withACount}));
   rows.push_back(row(&Layer::count, std::int64_t{0}, {.key = "count", .label = "Count", .thesis = "", .doc = "Number of particles, per event in a layer with a parent; 0 takes it from the density.", .section = region, .unit = Unit::particle, .hard = {0, static_cast<double>(kMaxParticles)}, .slider = {0, 2000}}));
 }
 
 void addLaunch(Rows& rows) {
-  rows.push_back(row(&Layer::direction, Vec3{0.0, 1.0, 0.0}, {.key = "direction", .label = "Direction", .thesis = "principal orientation", .doc = "Principal direction of the ejection, of any length but zero: x east, y up, z south.", .section = launch, .hard = {-1000, 1000}, .slider = {-1, 1}}));
+  rows.push_back(row(&Layer::direction, Vec3{0.0, 1.0, 0.0}, {.key = "direction", .label = "Direction", .thesis = "principal orientation", .doc = "Principal direction of the ejection, of any length but zero: x east, y up, z south.", .section = launch, .hard = {-1000, 1000}, .slider = {-1, 1}, .idle = inAllDirections}));
   rows.push_back(row(&Layer::directionality, Directionality::burst, {.key = "directionality", .label = "Directionality", .thesis = "directionality", .doc = "Cone: within the ejection angle of the direction. Neutral: equally in all directions. Burst: a cone in a ground burst, neutral in an air burst.", .section = launch}));
-  rows.push_back(row(&Layer::ejection_angle_rad, 50.0, {.key = "ejection_angle", .label = "Ejection angle", .thesis = "Ejection angle", .doc = "Limiting angle between a particle's launch and the principal direction; the lean of the template's sides.", .section = launch, .unit = Unit::degree, .hard = {0, 180}, .slider = {0, 90}}));
-  rows.push_back(row(&Layer::angle_distribution, AngleDistribution::normal, {.key = "angle_distribution", .label = "Angle distribution", .thesis = "normal distribution within the ejection angle", .doc = "Normal: angle from the direction is half-normal, its deviation half the ejection angle, cut off at the ejection angle. Uniform: every direction within the cone is as likely (uniform in solid angle). Place: particles lean as the template's sides, tan(angle) growing from 0 at the region's centre to the ejection angle's at its rim.", .section = launch}));
-  rows.push_back(row(&Layer::outward, true, {.key = "outward", .label = "Outward", .thesis = "", .doc = "A particle leans away from the region's centre, as the template's sides do; otherwise to a random side.", .section = launch}));
+  rows.push_back(row(&Layer::ejection_angle_rad, 50.0, {.key = "ejection_angle", .label = "Ejection angle", .thesis = "Ejection angle", .doc = "Limiting angle between a particle's launch and the principal direction; the lean of the template's sides.", .section = launch, .unit = Unit::degree, .hard = {0, 180}, .slider = {0, 90}, .idle = inAllDirections}));
+  rows.push_back(row(&Layer::angle_distribution, AngleDistribution::normal, {.key = "angle_distribution", .label = "Angle distribution", .thesis = "normal distribution within the ejection angle", .doc = "Normal: angle from the direction is half-normal, its deviation half the ejection angle, cut off at the ejection angle. Uniform: every direction within the cone is as likely (uniform in solid angle). Place: particles lean as the template's sides, tan(angle) growing from 0 at the region's centre to the ejection angle's at its rim.", .section = launch, .idle = inAllDirections}));
+  rows.push_back(row(&Layer::outward, true, {.key = "outward", .label = "Outward", .thesis = "", .doc = "A particle leans away from the region's centre, as the template's sides do; otherwise to a random side.", .section = launch, .idle = inAllDirections}));
   rows.push_back(row(&Layer::speed_mean_mps, 15.0, {.key = "speed_mean", .label = "Y-mag", .thesis = "Y-mag", .doc = "Mean launch speed; the template's height.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 3000}, .slider = {0, 150}}));
   rows.push_back(row(&Layer::speed_deviation_mps, 3.0, {.key = "speed_deviation", .label = "Y-mag deviation", .thesis = "variance of Y-mag", .doc = "Standard deviation of the launch speed, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 1000}, .slider = {0, 50}}));
-  rows.push_back(row(&Layer::speed_distribution, Distribution::normal, {.key = "speed_distribution", .label = "Y-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation (thesis eq. 4.18 with Rand() read as -1 to 1).", .section = launch}));
+  rows.push_back(row(&Layer::speed_distribution, Distribution::normal, {.key = "speed_distribution", .label = "Y-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation (thesis eq. 4.18 with Rand() read as -1 to 1).", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer.speed_deviation_mps); }}));
   rows.push_back(row(&Layer::size_mean_m, 0.6, {.key = "size_mean", .label = "XZ-mag", .thesis = "XZ-mag", .doc = "Mean particle size (diameter of the sphere around it); the template's overall scale.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0.01, 5}, .scale = Scale::logarithmic}));
   rows.push_back(row(&Layer::size_deviation_m, 0.15, {.key = "size_deviation", .label = "XZ-mag deviation", .thesis = "variance of XZ-mag", .doc = "Standard deviation of the size, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0, 2}}));
-  rows.push_back(row(&Layer::size_distribution, Distribution::normal, {.key = "size_distribution", .label = "XZ-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation.", .section = launch}));
+  rows.push_back(row(&Layer::size_distribution, Distribution::normal, {.key = "size_distribution", .label = "XZ-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation.", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer.size_deviation_m); }}));
   rows.push_back(row(&Layer::spin_mean_radps, 1.5, {.key = "spin_mean", .label = "Spin", .thesis = "", .doc = "Mean rate at which a particle tumbles about an axis of its own until it comes to rest.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 10}}));
   rows.push_back(row(&Layer::spin_deviation_radps, 0.5, {.key = "spin_deviation", .label = "Spin deviation", .thesis = "", .doc = "Standard deviation of the tumbling rate.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 5}}));
 }
@@ -56,21 +75,21 @@ void addTime(Rows& rows) {
 
 void addFlight(Rows& rows) {
   rows.push_back(row(&Layer::trajectory, Trajectory::parabolic, {.key = "trajectory", .label = "Trajectory", .thesis = "linear or parabolic", .doc = "Linear: straight at launch velocity, without gravity, drag or wind. Parabolic: under gravity, with drag if there is any.", .section = flight}));
-  rows.push_back(row(&Layer::drag_ps, 0.0, {.key = "drag", .label = "Drag", .thesis = "", .doc = "Rate at which velocity relative to the wind decays; 0 is flight without air.", .section = flight, .unit = Unit::per_second, .hard = {0, 100}, .slider = {0, 5}}));
-  rows.push_back(row(&Layer::buoyancy_mps2, 0.0, {.key = "buoyancy", .label = "Buoyancy", .thesis = "", .doc = "Upward acceleration that works against gravity, as hot gas has it.", .section = flight, .unit = Unit::metre_per_second2, .hard = {-100, 100}, .slider = {0, 20}}));
+  rows.push_back(row(&Layer::drag_ps, 0.0, {.key = "drag", .label = "Drag", .thesis = "", .doc = "Rate at which velocity relative to the wind decays; 0 is flight without air.", .section = flight, .unit = Unit::per_second, .hard = {0, 100}, .slider = {0, 5}, .idle = straight}));
+  rows.push_back(row(&Layer::buoyancy_mps2, 0.0, {.key = "buoyancy", .label = "Buoyancy", .thesis = "", .doc = "Upward acceleration that works against gravity, as hot gas has it.", .section = flight, .unit = Unit::metre_per_second2, .hard = {-100, 100}, .slider = {0, 20}, .idle = straight}));
 }
 
 void addGround(Rows& rows) {
   rows.push_back(row(&Layer::collide, true, {.key = "collide", .label = "Ground collision", .thesis = "ground collision", .doc = "Particles bounce on the ground; otherwise they pass through it.", .section = ground}));
-  rows.push_back(row(&Layer::restitution, 0.45, {.key = "restitution", .label = "Restitution", .thesis = "damping of energy", .doc = "Speed away from the ground after a bounce over the speed towards it before.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}}));
-  rows.push_back(row(&Layer::friction, 0.25, {.key = "friction", .label = "Friction", .thesis = "", .doc = "Share of the speed along the ground that a bounce takes away.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}}));
-  rows.push_back(row(&Layer::bounce_limit, std::int64_t{8}, {.key = "bounce_limit", .label = "Bounce limit", .thesis = "", .doc = "Bounces after which a particle stays where it touches the ground next.", .section = ground, .hard = {0, 64}, .slider = {0, 16}}));
-  rows.push_back(row(&Layer::rest_speed_mps, 0.5, {.key = "rest_speed", .label = "Rest speed", .thesis = "", .doc = "A particle whose speed away from the ground after a bounce would be below this comes to rest there.", .section = ground, .unit = Unit::metre_per_second, .hard = {0, 100}, .slider = {0, 5}}));
+  rows.push_back(row(&Layer::restitution, 0.45, {.key = "restitution", .label = "Restitution", .thesis = "damping of energy", .doc = "Speed away from the ground after a bounce over the speed towards it before.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}, .idle = withoutContact}));
+  rows.push_back(row(&Layer::friction, 0.25, {.key = "friction", .label = "Friction", .thesis = "", .doc = "Share of the speed along the ground that a bounce takes away.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}, .idle = withoutContact}));
+  rows.push_back(row(&Layer::bounce_limit, std::int64_t{8}, {.key = "bounce_limit", .label = "Bounce limit", .thesis = "", .doc = "Bounces after which a particle stays where it touches the ground next.", .section = ground, .hard = {0, 64}, .slider = {0, 16}, .idle = withoutContact}));
+  rows.push_back(row(&Layer::rest_speed_mps, 0.5, {.key = "rest_speed", .label = "Rest speed", .thesis = "", .doc = "A particle whose speed away from the ground after a bounce would be below this comes to rest there.", .section = ground, .unit = Unit::metre_per_second, .hard = {0, 100}, .slider = {0, 5}, .idle = withoutContact}));
 }
 
 void addLook(Rows& rows) {
   rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices.", .section = look}));
-  rows.push_back(row(&Layer::colour, Colour{0.82, 0.70, 0.52}, {.key = "colour", .label = "Initial colour", .thesis = "initial colour", .doc = "Colour of the particles, sRGB.", .section = look, .hard = {0, 1}}));
+  rows.push_back(row(&Layer::colour, Colour{0.82, 0.70, 0.52}, {.key = "colour", .label = "Initial colour", .thesis = "initial colour", .doc = "Colour of the particles, sRGB.", .section = look, .hard = {0, 1}, .idle = overLife}));
   rows.push_back(row(&Layer::colour_variation, 0.15, {.key = "colour_variation", .label = "Colour variation", .thesis = "", .doc = "Largest share by which a particle is brighter or darker than its layer.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
   rows.push_back(row(&Layer::opacity, 1.0, {.key = "opacity", .label = "Opacity", .thesis = "", .doc = "Opacity of the particles.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
   rows.push_back(row(&Layer::colour_over_life, Gradient{}, {.key = "colour_over_life", .label = "Colour over life", .thesis = "", .doc = "Stops [fraction of life, colour]; replaces the initial colour. Empty keeps it.", .section = look, .hard = {0, 1}}));

@@ -37,7 +37,14 @@ struct Words {
   bool required = false;
   bool si = true;
   std::string_view word{}, singular{};
+  std::string_view (*idle)(const void*) = nullptr;
 };
+
+/// Words::idle from a function of the structure itself.
+template <class Object, std::string_view (*why)(const Object&)>
+std::string_view idleIn(const void* object) {
+  return why(*static_cast<const Object*>(object));
+}
 
 template <class Member>
 constexpr FieldType typeOf() {
@@ -91,6 +98,7 @@ inline Field fieldOf(const Words& words, FieldType type) {
   out.si = words.si;
   out.word = words.word;
   out.singular = words.singular;
+  out.idle = words.idle;
   return out;
 }
 

@@ -50,6 +50,8 @@ struct Field {
   const Struct* child = nullptr; ///< of object and list
   std::string_view word;         ///< text that stands for an object with all defaults ("perfect")
   std::string_view singular;     ///< key of the foreign format for a list of one object ("battery")
+  /// Why the field has no effect with the others of its structure as they are, empty where it may have one; null: it always may.
+  std::string_view (*idle)(const void*) = nullptr;
 
   /// Values; unset for object, list and expectations.
   std::function<FieldValue(const void*)> read;

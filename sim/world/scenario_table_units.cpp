@@ -1,6 +1,18 @@
 #include "sim/world/scenario_row.h"
 
 namespace npsee::world {
+namespace {
+
+// Why a field has no effect with the others as they are; empty where it has.
+
+template <Behaviour needed>
+std::string_view unlessBehaviour(const VehicleSetup& vehicle) {
+  return vehicle.behaviour == needed ? "" : "its behaviour is another";
+}
+std::string_view whenCarried(const ObserverSetup& observer) { return observer.vehicle.empty() ? "" : "his vehicle's counts"; }
+std::string_view whenCertain(const Sensing& sensing) { return sensing.limited_belief ? "" : "what is seen is known for certain"; }
+
+}  // namespace
 
 const Struct& vehicleTypeTable() {
   static const Struct table = [] {
@@ -41,10 +53,10 @@ const Struct& vehicleTable() {
           field(&VehicleSetup::speed_mps, {.key = "speed", .doc = "Wished speed; the type's greatest limits it.", .hard = {0, 400}, .unit = Unit::metre_per_second}),
           field(&VehicleSetup::behaviour, {.key = "behaviour", .doc = "static stands; straight keeps heading and speed; meander wanders and turns back at the sea and the world's edge; goals drives to its goals in turn; follow keeps behind another vehicle; user is driven by a person."}),
           field(&VehicleSetup::reaction, {.key = "reaction", .doc = "What it does when it notices fire: nothing, retire at high speed, return fire, or both."}),
-          field(&VehicleSetup::goals, {.key = "goals", .doc = "Places to drive to in turn, of behaviour goals.", .hard = {0, 1000}, .unit = Unit::metre}),
-          field(&VehicleSetup::repeat_goals, {.key = "repeat_goals", .doc = "Whether the first goal follows the last one."}),
-          field(&VehicleSetup::follows, {.key = "follows", .doc = "Id of the vehicle ahead, of behaviour follow.", .hard = {0, 40}}),
-          field(&VehicleSetup::gap_m, {.key = "gap", .doc = "Distance kept to the vehicle ahead.", .hard = {1, 10000}, .unit = Unit::metre}),
+          field(&VehicleSetup::goals, {.key = "goals", .doc = "Places to drive to in turn, of behaviour goals.", .hard = {0, 1000}, .unit = Unit::metre, .idle = idleIn<VehicleSetup, unlessBehaviour<Behaviour::goals>>}),
+          field(&VehicleSetup::repeat_goals, {.key = "repeat_goals", .doc = "Whether the first goal follows the last one.", .idle = idleIn<VehicleSetup, unlessBehaviour<Behaviour::goals>>}),
+          field(&VehicleSetup::follows, {.key = "follows", .doc = "Id of the vehicle ahead, of behaviour follow.", .hard = {0, 40}, .idle = idleIn<VehicleSetup, unlessBehaviour<Behaviour::follow>>}),
+          field(&VehicleSetup::gap_m, {.key = "gap", .doc = "Distance kept to the vehicle ahead.", .hard = {1, 10000}, .unit = Unit::metre, .idle = idleIn<VehicleSetup, unlessBehaviour<Behaviour::follow>>}),
       },
       "id");
   return table;
@@ -108,10 +120,10 @@ const Struct& sensingTable() {
       "sensing", "How well an observer senses. The defaults are perfect; \"sensing\": \"perfect\" says so in one word.",
       {
           field(&Sensing::limited_belief, {.key = "limited_belief", .doc = "Whether belief in a contact falls with the logarithm of its range; false: what is seen is known for certain."}),
-          field(&Sensing::belief_near, {.key = "belief_near", .doc = "Belief at the near range and closer.", .hard = {0, 1}, .unit = Unit::fraction}),
-          field(&Sensing::belief_far, {.key = "belief_far", .doc = "Belief at the far range and beyond.", .hard = {0, 1}, .unit = Unit::fraction}),
-          field(&Sensing::near_m, {.key = "near", .doc = "Range at which belief begins to fall.", .hard = {1, 100000}, .unit = Unit::metre}),
-          field(&Sensing::far_m, {.key = "far", .doc = "Range at which belief has fallen.", .hard = {1, 100000}, .unit = Unit::metre}),
+          field(&Sensing::belief_near, {.key = "belief_near", .doc = "Belief at the near range and closer.", .hard = {0, 1}, .unit = Unit::fraction, .idle = idleIn<Sensing, whenCertain>}),
+          field(&Sensing::belief_far, {.key = "belief_far", .doc = "Belief at the far range and beyond.", .hard = {0, 1}, .unit = Unit::fraction, .idle = idleIn<Sensing, whenCertain>}),
+          field(&Sensing::near_m, {.key = "near", .doc = "Range at which belief begins to fall.", .hard = {1, 100000}, .unit = Unit::metre, .idle = idleIn<Sensing, whenCertain>}),
+          field(&Sensing::far_m, {.key = "far", .doc = "Range at which belief has fallen.", .hard = {1, 100000}, .unit = Unit::metre, .idle = idleIn<Sensing, whenCertain>}),
           field(&Sensing::hostile_belief, {.key = "hostile_belief", .doc = "Belief from which a contact counts as hostile.", .hard = {0, 1}, .unit = Unit::fraction}),
           field(&Sensing::location_cep_m, {.key = "location_cep", .doc = "Circular error probable of where he believes a target to be; one draw for each target.", .hard = {0, 5000}, .unit = Unit::metre}),
           field(&Sensing::own_cep_m, {.key = "own_cep", .doc = "Circular error probable of where he believes himself to be.", .hard = {0, 5000}, .unit = Unit::metre}),
@@ -138,7 +150,7 @@ const Struct& observerTable() {
       "observer", "A forward observer.",
       {
           identity(&ObserverSetup::id, {.key = "id", .doc = "Name in the log.", .required = true}),
-          field(&ObserverSetup::at, {.key = "pos", .doc = "Where he stands; with `vehicle` that vehicle's place counts.", .hard = {-1e6, 1e6}, .unit = Unit::metre, .required = true}),
+          field(&ObserverSetup::at, {.key = "pos", .doc = "Where he stands; with `vehicle` that vehicle's place counts.", .hard = {-1e6, 1e6}, .unit = Unit::metre, .required = true, .idle = idleIn<ObserverSetup, whenCarried>}),
           field(&ObserverSetup::type, {.key = "type", .doc = "Index of the vehicle type he is mounted on.", .hard = kIndexRange}),
           field(&ObserverSetup::vehicle, {.key = "vehicle", .doc = "Id of the vehicle that carries him; empty puts one of his type at his place.", .hard = {0, 40}}),
           field(&ObserverSetup::eye_height_m, {.key = "eye_height", .doc = "Height of his eyes over the ground.", .hard = {0, 100}, .unit = Unit::metre}),

@@ -1,12 +1,16 @@
+#include "sim/world/scenario_table.h"
 #include "tests/support/small_mission.h"
 
 #include <npsee/mission.h>
+#include <npsee/units.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace npsee {
@@ -101,6 +105,51 @@ TEST(MissionEngine, GunsKeepToTheirReloadTimeAndToTheirRounds) {
     for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GE(times[i] - times[i - 1], sc.batteries[0].reload_time_s - 1e-9) << gun;
     EXPECT_GE(times.front(), sc.batteries[0].lay_time_s) << gun;
   }
+}
+
+/// Another allowed value than the present one, if there is a simple one.
+std::optional<world::FieldValue> otherValue(const world::Field& field, const world::FieldValue& now) {
+  if (const auto* on = std::get_if<bool>(&now)) return !*on;
+  if (const auto* whole = std::get_if<std::int64_t>(&now)) return *whole + 1;
+  if (const auto* number = std::get_if<double>(&now)) return *number + 0.01 * (toSi(field.unit, field.hard.max) - *number);
+  if (std::holds_alternative<Place>(now)) return Place{100.0, 200.0};
+  return std::nullopt;
+}
+
+/// Changes each field that is said to have no effect, wherever it is in a structure, and returns their names.
+std::vector<std::string> changeIdleFields(const world::Struct& table, void* object) {
+  std::vector<std::string> out;
+  for (const world::Field& field : table.fields) {
+    std::vector<std::string> inner;
+    if (field.type == world::FieldType::object) inner = changeIdleFields(*field.child, field.part(object));
+    if (field.type == world::FieldType::list)
+      for (std::size_t i = 0; i < field.count(object); ++i) std::ranges::copy(changeIdleFields(*field.child, field.item(object, i)), std::back_inserter(inner));
+    out.insert(out.end(), inner.begin(), inner.end());
+    if (!field.scalar() || field.idle == nullptr || field.idle(object).empty()) continue;
+    const auto value = otherValue(field, field.read(object));
+    if (!value || !world::checkField(field, *value).empty()) continue;
+    field.write(object, *value);
+    out.emplace_back(field.key);
+  }
+  return out;
+}
+
+TEST(MissionEngine, FieldsSaidToHaveNoEffectHaveNone) {
+  Scenario sc = duel();
+  sc.vehicles[0].speed_mps = 5.0;
+  sc.vehicles[0].behaviour = Behaviour::straight;
+  sc.observers[0].sensing.location_cep_m = 80.0;
+  sc.observers[0].sensing.limited_belief = false;
+  sc.vehicles.push_back(sc.vehicles[0]);
+  sc.vehicles[1].id = "carrier";
+  sc.vehicles[1].type = 8;
+  sc.vehicles[1].at = {4500.0, 5000.0};
+  sc.observers[0].vehicle = "carrier";
+  Scenario changed = sc;
+  const std::vector<std::string> keys = changeIdleFields(world::missionTable(), &changed);
+  for (const char* key : {"pos", "belief_near", "far", "night_range", "relief", "valley", "table_step", "read_back", "gap", "repeat_goals"}) EXPECT_TRUE(std::ranges::count(keys, key) > 0) << key;
+  EXPECT_EQ(std::ranges::count(keys, "height"), 0) << "flat ground has a height";
+  EXPECT_EQ(eventLog(ran(changed)), eventLog(ran(sc)));
 }
 
 TEST(MissionEngine, TheSameSeedGivesTheSameLogAndAnotherSeedAnother) {

@@ -32,7 +32,7 @@ std::vector<FieldRow> rowsOf(const PanelContext& ui, const FieldPath& path, cons
     if (!field.scalar()) continue;
     const std::string label = fieldLabel(field.key);
     if (!contains(label, word) && !contains(field.key, word)) continue;
-    out.push_back({*part.table, field, path, nameOf(path, field.key), label, field.read(part.object), field.read(fresh.get()), {}});
+    out.push_back({*part.table, field, path, nameOf(path, field.key), label, field.read(part.object), field.read(fresh.get()), {}, std::string(field.idle != nullptr ? field.idle(part.object) : std::string_view())});
   }
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include "editor/panels/row.h"
 #include "editor/ui/controls.h"
+#include "editor/ui/row_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -92,92 +93,47 @@ void partsRow(const PanelContext& ui, const FieldRow& row, std::array<double, co
   }
 }
 
-void booleanRow(const PanelContext& ui, const FieldRow& row) {
-  const bool on = std::get<bool>(row.value);
-  const float width = ui.px(34), height = ui.px(18);
-  const ImVec2 at{row.control.at.x, std::floor(row.control.at.y + 0.5f * (row.control.height - height))};
-  ImGui::SetCursorScreenPos(at);
-  const bool clicked = ImGui::InvisibleButton(("toggle:" + row.name).c_str(), ImVec2(width, height));
-  ui.item("toggle:" + row.name);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + width, at.y + height}, !on ? ui.theme.line : row.changed() ? ui.theme.accent : ui.theme.dim, 0.5f * height);
-  list.AddCircleFilled({on ? at.x + width - 0.5f * height : at.x + 0.5f * height, at.y + 0.5f * height}, 0.5f * height - ui.px(3), on ? ui.theme.background : ui.theme.dim, 20);
-  rowText({at.x + width + ui.px(8), row.control.at.y}, ui.px(60), row.control.height, ui.theme.dim, on ? "on" : "off");
-  if (clicked) commit(ui, row, !on);
-}
-
-void choiceList(const PanelContext& ui, const FieldRow& row, const std::string& now, const std::vector<std::pair<std::string, std::string>>& choices) {
-  std::string label = now;
-  for (const auto& [key, text] : choices)
-    if (key == now) label = text;
-  ImGui::SetCursorScreenPos({row.control.at.x, row.control.at.y + ui.px(1)});
-  ImGui::SetNextItemWidth(row.control.width);
-  if (!beginChoice(ui, row.name, label, row.changed())) return ui.item("choice:" + row.name);
-  for (const auto& [key, text] : choices) {
-    if (ImGui::Selectable(text.c_str(), key == now, 0, ImVec2(0, ui.px(22)))) {
-      if (row.field.type == FieldType::integer) commit(ui, row, static_cast<std::int64_t>(std::stoll(key)));
-      else commit(ui, row, key);
-    }
-    ui.item("choice:" + row.name + '=' + key);
-  }
-  ImGui::EndCombo();
-}
-
-void choiceRow(const PanelContext& ui, const FieldRow& row) {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const std::string_view key : row.field.choices) {
+/// What a field chooses from: its own keys, vehicle types by name, presets of the library. Empty where it does not choose.
+Choices choicesOf(const PanelContext& ui, const Field& field) {
+  Choices out;
+  for (const std::string_view key : field.choices) {
     std::string words(key);
     std::ranges::replace(words, '_', ' ');
-    choices.emplace_back(key, words);
+    out.emplace_back(key, words);
   }
-  choiceList(ui, row, std::get<std::string>(row.value), choices);
-}
-
-/// A vehicle type by its name.
-void typeRow(const PanelContext& ui, const FieldRow& row) {
-  std::vector<std::pair<std::string, std::string>> choices;
-  for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) choices.emplace_back(std::to_string(type.index), type.name.empty() ? "type " + std::to_string(type.index) : type.name);
-  choiceList(ui, row, std::to_string(std::get<std::int64_t>(row.value)), choices);
-}
-
-/// An explosion preset of the library, or by the weapon.
-void presetRow(const PanelContext& ui, const FieldRow& row) {
-  const auto& now = std::get<std::string>(row.value);
-  std::vector<std::pair<std::string, std::string>> choices{{"", "by the weapon"}};
+  if (field.type == FieldType::integer && field.key == "type")
+    for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) out.emplace_back(std::to_string(type.index), type.name.empty() ? "type " + std::to_string(type.index) : type.name);
+  if (field.key != "preset") return out;
+  out.emplace_back("", "by the weapon");
   for (const LibraryEntry& entry : ui.session.presets()) {
     const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
-    choices.emplace_back(name, entry.title.empty() ? name : entry.title);
+    out.emplace_back(name, entry.title.empty() ? name : entry.title);
   }
-  choiceList(ui, row, now, choices);
+  return out;
+}
+
+void choiceRow(const PanelContext& ui, const FieldRow& row, const Choices& choices) {
+  const auto chosen = choiceWidget(ui, row.name, world::fieldText(row.field, row.value), choices, row.changed(), row.control);
+  if (!chosen) return;
+  if (row.field.type == FieldType::integer) commit(ui, row, static_cast<std::int64_t>(std::stoll(*chosen)));
+  else commit(ui, row, *chosen);
 }
 
 void textRow(const PanelContext& ui, const FieldRow& row) {
   const std::string text = world::fieldText(row.field, row.value);
-  ImGui::SetCursorScreenPos(row.control.at);
-  const bool clicked = ImGui::InvisibleButton(("text:" + row.name).c_str(), ImVec2(row.control.width, row.control.height));
-  ui.item("text:" + row.name);
-  const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({row.control.at.x, row.control.at.y + ui.px(2)}, {row.control.right(), row.control.end().y - ui.px(2)}, hovered ? ui.theme.raised : ui.theme.background, ui.px(4));
-  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  const ImU32 colour = text.empty() ? ui.theme.dim : row.changed() && row.field.type != FieldType::id ? ui.theme.accent : ui.theme.text;
-  if (row.control.height > ui.px(40)) {
-    list.PushClipRect(row.control.at, row.control.end(), true);
-    list.AddText(ui.fonts.text, ui.fonts.text->FontSize, {row.control.at.x + ui.px(8), row.control.at.y + ui.px(6)}, text.empty() ? ui.theme.dim : ui.theme.text, text.empty() ? "none" : text.c_str(), nullptr, row.control.width - ui.px(16));
-    list.PopClipRect();
-  } else {
-    rowText({row.control.at.x + ui.px(8), row.control.at.y}, row.control.width - ui.px(12), row.control.height, colour, text.empty() ? "none" : text);
-  }
-  if (clicked) beginTyping(ui, row.name, text);
+  const bool marked = row.changed() && row.field.type != FieldType::id && row.field.key != "description";
+  if (textWidget(ui, row.name, text, "none", marked ? ui.theme.accent : ui.theme.text, row.control)) beginTyping(ui, row.name, text);
 }
 
 void drawWidget(const PanelContext& ui, const FieldRow& row) {
   if (typingIn(ui, row.name)) return typedRow(ui, row);
+  if (const Choices choices = choicesOf(ui, row.field); !choices.empty()) return choiceRow(ui, row, choices);
   switch (row.field.type) {
-    case FieldType::boolean: return booleanRow(ui, row);
-    case FieldType::integer: return row.field.key == "type" ? typeRow(ui, row) : numberRow(ui, row);
+    case FieldType::boolean:
+      if (const bool on = std::get<bool>(row.value); switchWidget(ui, row.name, on, row.changed(), row.control)) commit(ui, row, !on);
+      return;
+    case FieldType::integer:
     case FieldType::number: return numberRow(ui, row);
-    case FieldType::choice: return choiceRow(ui, row);
     case FieldType::place: {
       const Place now = std::get<Place>(row.value), initial = std::get<Place>(row.initial);
       return partsRow<2>(ui, row, {now.x_m, now.z_m}, {initial.x_m, initial.z_m}, "xz");
@@ -186,7 +142,7 @@ void drawWidget(const PanelContext& ui, const FieldRow& row) {
       const Vec3 now = std::get<Vec3>(row.value), initial = std::get<Vec3>(row.initial);
       return partsRow<3>(ui, row, {now.x, now.y, now.z}, {initial.x, initial.y, initial.z}, "xyz");
     }
-    default: return row.field.key == "preset" ? presetRow(ui, row) : textRow(ui, row);
+    default: return textRow(ui, row);
   }
 }
 
@@ -199,24 +155,11 @@ void takeScripted(const PanelContext& ui, const FieldRow& row) {
   ui.state.typed.erase(typed);
 }
 
-void drawTooltip(const PanelContext& ui, const FieldRow& row, const ImVec2& beside) {
-  ImGui::SetNextWindowPos({beside.x - ui.px(16), beside.y}, ImGuiCond_Always, {1.0f, 0.0f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(330));
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(row.label.c_str());
-  ImGui::PopFont();
-  ImGui::TextUnformatted(row.field.doc.data(), row.field.doc.data() + row.field.doc.size());
-  const auto line = [&](const std::string& text) { ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.dim), "%s", text.c_str()); };
-  if (const std::string words = world::allowed(row.field); !words.empty()) line("Allowed: " + words + (words.ends_with('.') ? "" : "."));
-  line("Now " + clipped(world::fieldText(row.field, row.value, true)) + ", by default " + clipped(world::fieldText(row.field, row.initial, true)) + '.');
-  ImGui::PushFont(ui.fonts.numbers);
-  line(row.name);
-  ImGui::PopFont();
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+void drawHelp(const PanelContext& ui, const FieldRow& row, const RowFrame& frame) {
+  RowHelp help{row.label, std::string(row.field.doc), {}, row.idle};
+  if (const std::string words = world::allowed(row.field); !words.empty()) help.lines.push_back("Allowed: " + words + (words.ends_with('.') ? "" : "."));
+  help.lines.push_back("Now " + clipped(world::fieldText(row.field, row.value, true)) + ", by default " + clipped(world::fieldText(row.field, row.initial, true)) + '.');
+  drawRowHelp(ui, frame, help);
 }
 
 }  // namespace
@@ -261,23 +204,13 @@ bool askedFor(const PanelContext& ui, const std::string& name) {
 }
 
 void drawFieldRow(const PanelContext& ui, FieldRow row) {
-  const bool tall = row.field.key == "description";
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(tall ? 92 : 26), mark = ui.px(20);
-  const float label_width = std::floor(std::clamp(0.42f * width, ui.px(96), ui.px(152)));
-  row.control = {{at.x + label_width, at.y}, width - label_width - mark, height};
+  const RowFrame frame = beginRow(ui, row.name, row.label, row.field.key == "description" ? 92.0f : 26.0f);
+  row.control = frame.control;
+  if (ui.resting(row.name, std::string(row.field.doc))) drawHelp(ui, row, frame);
   takeScripted(ui, row);
-  ImGui::InvisibleButton(("row:" + row.name).c_str(), ImVec2(label_width, ui.px(26)));
-  ui.item("row:" + row.name);
-  rowText(at, label_width - ui.px(8), ui.px(26), ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, row.label);
-  if (ui.resting(row.name, std::string(row.field.doc))) drawTooltip(ui, row, at);
   drawWidget(ui, row);
-  if (row.changed() && !row.field.required) {
-    ImGui::SetCursorScreenPos({at.x + width - mark + ui.px(2), at.y + ui.px(4)});
-    if (iconButton(ui, Icon::reset, "reset:" + row.name, "Back to " + clipped(world::fieldText(row.field, row.initial, true)), true, 18)) commit(ui, row, row.initial);
-  }
-  ImGui::SetCursorScreenPos(at);
-  ImGui::Dummy(ImVec2(width, height));
+  const bool resettable = row.changed() && !row.field.required;
+  if (endRow(ui, frame, resettable ? clipped(world::fieldText(row.field, row.initial, true)) : std::string(), !row.idle.empty())) commit(ui, row, row.initial);
 }
 
 }  // namespace npsee::editor

@@ -24,6 +24,7 @@ struct FieldRow {
   std::string label;
   world::FieldValue value, initial;
   Box control;                ///< where the widget goes
+  std::string idle;           ///< why it has no effect now; empty where it has
   bool changed() const { return value != initial; }
 };
 

@@ -47,6 +47,9 @@ struct Parameter {
   void assign(Layer& layer, const Value& value) const;
   void assign(Preset& preset, const Value& value) const;
 
+  /// Used by withoutEffect; null where the parameter always has an effect.
+  std::string_view (*idle)(const Preset&, const Layer&) = nullptr;
+
   std::function<Value(const void*)> read;           ///< used by get
   std::function<void(void*, const Value&)> write;   ///< used by assign
 };
@@ -54,6 +57,10 @@ struct Parameter {
 /// The whole table in file order: the burst's own rows first, then a layer's.
 std::span<const Parameter> parameters();
 std::span<const Parameter> parameters(Scope scope);
+
+/// Why the parameter has no effect on the explosion with the other parameters as they are, e.g. "a disc has no such size"; empty where it may
+/// have one. It can be set all the same. `layer` may be null for parameters of the burst.
+std::string_view withoutEffect(const Parameter& parameter, const Preset& preset, const Layer* layer);
 
 /// Row by key and scope; null if there is none.
 const Parameter* findParameter(Scope scope, std::string_view key);
