@@ -1,5 +1,6 @@
 #include "tests/support/display.h"
 #include "tests/support/process.h"
+#include "tests/support/small_mission.h"
 
 #include <npsee/preset.h>
 
@@ -28,15 +29,21 @@ bool eventually(const std::function<bool()>& done) {
 /// The real window on a display of its own, driven by xdotool. What it shows is where the same editor without a window says.
 class EditorWindow : public testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::copy_file(std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json", file_);
+  /// Opens `file_`, which is called `name`, at a moment.
+  void open(const std::string& name, const std::string& time) {
     test::spill(folder_ / "items.txt", "print items\n");
-    const auto listed = test::npseeRun({"edit", file_, "--headless", "--time", "0.8", "--size", "1200x760", "--script", folder_ / "items.txt"});
+    const std::vector<std::string> shared{"edit", file_, "--time", time, "--size", "1200x760"};
+    const auto with = [&shared](std::initializer_list<std::string> more) {
+      std::vector<std::string> out = shared;
+      out.insert(out.end(), more);
+      return out;
+    };
+    const auto listed = test::npseeRun(with({"--headless", "--script", folder_ / "items.txt"}));
     std::istringstream lines(listed.out);
-    for (std::string state, place, name; lines >> state >> place && std::getline(lines >> std::ws, name);) places_[name] = place;
-    ASSERT_TRUE(places_.contains("thumb:fragments.ejection_angle")) << listed.err << listed.out;
-    ended_ = std::async(std::launch::async, [this] { return test::npseeRun({"edit", file_, "--time", "0.8", "--size", "1200x760", "--print-state"}, display_.environment()); });
-    ASSERT_TRUE(eventually([this] { return window("work - npsee"); })) << (ended_.wait_for(0s) == std::future_status::ready ? ended_.get().err : "no window");
+    for (std::string state, place, item; lines >> state >> place && std::getline(lines >> std::ws, item);) places_[item] = place;
+    ASSERT_TRUE(places_.contains("thumb:time")) << listed.err << listed.out;
+    ended_ = std::async(std::launch::async, [this, arguments = with({"--print-state"})] { return test::npseeRun(arguments, display_.environment()); });
+    ASSERT_TRUE(eventually([&] { return window(name + " - npsee"); })) << (ended_.wait_for(0s) == std::future_status::ready ? ended_.get().err : "no window");
     display_.xdotool({"windowfocus", "--sync", window_});
   }
   /// Finds the window by its title, which shows what the editor has made of the input.
@@ -46,15 +53,15 @@ class EditorWindow : public testing::Test {
     return found.exit_code == 0;
   }
   // Nothing waits between events: the editor must not lose what is shorter than a frame.
-  void point(const std::string& item, int dx = 0) {
+  void point(const std::string& item, int dx = 0, int dy = 0) {
     const std::string& place = places_.at(item);
     const std::size_t comma = place.find(',');
-    display_.xdotool({"mousemove", "--window", window_, std::to_string(std::stoi(place.substr(0, comma)) + dx), place.substr(comma + 1)});
+    display_.xdotool({"mousemove", "--window", window_, std::to_string(std::stoi(place.substr(0, comma)) + dx), std::to_string(std::stoi(place.substr(comma + 1)) + dy)});
   }
-  void drag(const std::string& item, int dx) {
+  void drag(const std::string& item, int dx, int dy = 0) {
     point(item);
     display_.xdotool({"mousedown", "1"});
-    for (int i = 1; i <= 4; ++i) point(item, dx * i / 4);
+    for (int i = 1; i <= 4; ++i) point(item, dx * i / 4, dy * i / 4);
     display_.xdotool({"mouseup", "1"});
   }
   void click(const std::string& item) {
@@ -69,26 +76,46 @@ class EditorWindow : public testing::Test {
     if (plus != std::string::npos) display_.xdotool({"keyup", name.substr(0, plus)});
   }
   /// What the editor printed when it ended, by name.
-  std::map<std::string, double> state() {
+  std::map<std::string, std::string> state() {
     EXPECT_TRUE(ended_.wait_for(30s) == std::future_status::ready) << "the window is still open";
     const auto result = ended_.get();
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    std::map<std::string, double> out;
+    std::map<std::string, std::string> out;
     std::istringstream lines(result.out);
     for (std::string line; std::getline(lines, line);)
-      if (const std::size_t at = line.find('='); at != std::string::npos) out[line.substr(0, at)] = std::strtod(line.c_str() + at + 1, nullptr);
+      if (const std::size_t at = line.find('='); at != std::string::npos) out[line.substr(0, at)] = line.substr(at + 1);
     return out;
   }
 
   test::TemporaryFolder folder_;
-  std::string file_ = folder_ / "work.npsee.json";
+  std::string file_;
   test::VirtualDisplay display_;
   std::map<std::string, std::string> places_;
   std::future<test::ProcessResult> ended_;
   std::string window_;
 };
 
-TEST_F(EditorWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
+class PresetWindow : public EditorWindow {
+ protected:
+  void SetUp() override {
+    file_ = folder_ / "work.npsee.json";
+    std::filesystem::copy_file(std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json", file_);
+    open("work", "0.8");
+  }
+};
+
+class MissionWindow : public EditorWindow {
+ protected:
+  void SetUp() override {
+    file_ = folder_ / "small.mission.json";
+    ASSERT_TRUE(saveScenario(test::smallMission(), file_).has_value());
+    open("small", "5");
+  }
+};
+
+double number(const std::map<std::string, std::string>& state, const std::string& name) { return std::strtod(state.at(name).c_str(), nullptr); }
+
+TEST_F(PresetWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
   drag("thumb:fragments.ejection_angle", -30);
   EXPECT_TRUE(eventually([this] { return window("work \\* - npsee"); })) << "the drag marks the document";
   key("Control_L+s");
@@ -105,13 +132,13 @@ TEST_F(EditorWindow, IsDrivenByMouseAndKeyboardSavesAndCloses) {
   EXPECT_TRUE(eventually([this] { return window("work - npsee"); }));
   key("Control_L+q");
   const auto end = state();
-  EXPECT_EQ(end.at("undo"), 0.0);
-  EXPECT_EQ(end.at("window.width"), 1000.0);
-  EXPECT_EQ(end.at("window.height"), 640.0);
+  EXPECT_EQ(number(end, "undo"), 0.0);
+  EXPECT_EQ(number(end, "window.width"), 1000.0);
+  EXPECT_EQ(number(end, "window.height"), 640.0);
   EXPECT_EQ(loadPreset(file_)->layers[0], Layer(loadPreset(std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json")->layers[0]));
 }
 
-TEST_F(EditorWindow, ClosingItAsksAboutUnsavedWork) {
+TEST_F(PresetWindow, ClosingItAsksAboutUnsavedWork) {
   drag("thumb:fragments.ejection_angle", -30);
   EXPECT_TRUE(eventually([this] { return window("work \\* - npsee"); }));
   display_.askToClose(window_);
@@ -119,10 +146,10 @@ TEST_F(EditorWindow, ClosingItAsksAboutUnsavedWork) {
   key("Control_L+s");
   EXPECT_TRUE(eventually([this] { return window("work - npsee"); }));
   display_.askToClose(window_);
-  EXPECT_EQ(state().at("undo"), 1.0);
+  EXPECT_EQ(number(state(), "undo"), 1.0);
 }
 
-TEST_F(EditorWindow, ThesisKeysMoveTheCamera) {
+TEST_F(PresetWindow, ThesisKeysMoveTheCamera) {
   test::spill(folder_ / "camera.txt", "print all\n");
   const auto before = test::npseeRun({"edit", file_, "--headless", "--time", "0.8", "--size", "1200x760", "--script", folder_ / "camera.txt"}).out;
   const auto value = [&](const std::string& name) { return std::strtod(before.c_str() + before.find('\n' + name + '=') + name.size() + 2, nullptr); };
@@ -132,11 +159,49 @@ TEST_F(EditorWindow, ThesisKeysMoveTheCamera) {
   click("button:step on");
   key("Control_L+q");
   const auto end = state();
-  EXPECT_GT(end.at("eye.y"), value("eye.y"));
-  EXPECT_GT(end.at("target.y"), value("target.y"));
-  EXPECT_GT(end.at("eye.x"), std::strtod(before.c_str() + before.find("eye.x=") + 6, nullptr));
-  EXPECT_EQ(end.at("eye.z"), value("eye.z"));
-  EXPECT_GT(end.at("time"), 0.8);
+  EXPECT_GT(number(end, "eye.y"), value("eye.y"));
+  EXPECT_GT(number(end, "target.y"), value("target.y"));
+  EXPECT_GT(number(end, "eye.x"), std::strtod(before.c_str() + before.find("eye.x=") + 6, nullptr));
+  EXPECT_EQ(number(end, "eye.z"), value("eye.z"));
+  EXPECT_GT(number(end, "time"), 0.8);
+}
+
+TEST_F(MissionWindow, PlaysIsScrubbedAndDraggedInSavesAndCloses) {
+  click("button:play");
+  std::this_thread::sleep_for(300ms);
+  key("space");
+  // The plan shows the tank as soon as the simulation has begun.
+  EXPECT_TRUE(eventually([this] {
+    drag("plan:t72-1", -20, 10);
+    return window("small \\* - npsee");
+  }));
+  key("Control_L+s");
+  EXPECT_TRUE(eventually([this] { return window("small - npsee"); }));
+  const auto saved = loadScenario(file_);
+  ASSERT_TRUE(saved.has_value()) << saved.error().text();
+  EXPECT_LT(saved->vehicles[0].at.x_m, 7000.0);
+  EXPECT_GT(saved->vehicles[0].at.z_m, 5000.0);
+  click("observer:fo1");
+  key("5");
+  drag("thumb:time", 200);
+  key("Control_L+q");
+  const auto end = state();
+  EXPECT_EQ(end.at("mode"), "mission");
+  EXPECT_EQ(end.at("selected"), "fo1");
+  EXPECT_EQ(end.at("camera"), "observer");
+  EXPECT_EQ(end.at("playing"), "no");
+  EXPECT_EQ(end.at("error"), "");
+  EXPECT_EQ(number(end, "undo"), 1.0);
+  EXPECT_GT(number(end, "time"), 5.0 + 10.0) << "200 of about 700 pixels of two minutes";
+}
+
+TEST_F(MissionWindow, TimePassesWhileItPlays) {
+  key("space");
+  std::this_thread::sleep_for(500ms);
+  key("Control_L+q");
+  const auto end = state();
+  EXPECT_GT(number(end, "time"), 5.0);
+  EXPECT_EQ(end.at("playing"), "yes");
 }
 
 }  // namespace
