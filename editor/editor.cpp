@@ -4,6 +4,7 @@
 #include "editor/mission/session.h"
 #include "editor/panels/panels.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace npsee::editor {
@@ -160,6 +161,10 @@ const Session& Editor::session() const { return impl_->session; }
 UiState& Editor::state() { return impl_->state; }
 const UiState& Editor::state() const { return impl_->state; }
 Items& Editor::items() { return impl_->items; }
+
+float fittingScale(float wished, int width, int height) {
+  return std::max(0.75f, std::min({wished, static_cast<float>(width) / 880.0f, static_cast<float>(height) / 550.0f}));
+}
 
 UiHost::UiHost() {
   ImGui::CreateContext();

@@ -87,6 +87,7 @@ Expected<int> runHeadless(const HeadlessOptions& options, const std::function<vo
   mapKeys();
   EditorOptions chosen = options.editor;
   chosen.scripted = true;
+  chosen.scale = fittingScale(chosen.scale, options.width, options.height);
   auto editor = Editor::create(chosen);
   if (!editor) return tl::unexpected<Error>(editor.error());
   const Surface surface(options.width, options.height);

@@ -11,7 +11,7 @@ namespace npsee::editor {
 namespace {
 
 constexpr float kLeastLeft = 180.0f, kLeastRight = 264.0f;  ///< unscaled
-constexpr float kLeftShare = 0.28f, kRightShare = 0.34f;    ///< of the window at most: the viewport keeps the middle
+constexpr float kLeftShare = 0.26f, kRightShare = 0.33f;    ///< of the window at most: the viewport keeps the middle
 
 float clampedWidth(const PanelContext& ui, float wish, float least, float most) { return std::floor(std::clamp(ui.px(wish), ui.px(least), std::max(ui.px(least), most))); }
 
@@ -19,10 +19,12 @@ float clampedWidth(const PanelContext& ui, float wish, float least, float most) 
 template <class Upper, class Lower>
 void stacked(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 size, float& below, const Upper& upper, const Lower& lower) {
   const float bar = ui.px(kBar);
-  const float height = std::floor(std::clamp(ui.px(below), ui.px(96), std::max(ui.px(96), size.y - ui.px(130))));
+  // The upper one keeps nearly half: the plan and the log are to look at, what is above them to work in.
+  const float most = std::min(size.y - ui.px(130), 0.55f * size.y);
+  const float height = std::floor(std::clamp(ui.px(below), ui.px(96), std::max(ui.px(96), most)));
   upper(at, ImVec2(size.x, size.y - height - bar));
   // Downward makes the lower one smaller.
-  below = std::clamp(below - splitter(ui, "splitter:" + name, {at.x, at.y + size.y - height - bar}, {size.x, bar}, false), 96.0f, std::max(96.0f, size.y / ui.scale - 130.0f));
+  below = std::clamp(below - splitter(ui, "splitter:" + name, {at.x, at.y + size.y - height - bar}, {size.x, bar}, false), 96.0f, std::max(96.0f, most / ui.scale));
   lower(ImVec2(at.x, at.y + size.y - height), ImVec2(size.x, height));
 }
 

@@ -18,6 +18,9 @@ struct EditorOptions {
   bool scripted = false;          ///< every frame waits for the compiler, nothing measured is shown
 };
 
+/// The scale of the panels that a window of that size can hold: no larger than leaves 880 x 550 unscaled pixels, no smaller than 0.75.
+float fittingScale(float wished, int width, int height);
+
 struct HeadlessOptions {
   EditorOptions editor;
   int width = 1440, height = 900;

@@ -59,7 +59,9 @@ Expected<void> runWindow(const WindowedOptions& options, const std::function<voi
   EditorOptions chosen = options.editor;
   float across = 1.0f, down = 1.0f;
   glfwGetWindowContentScale(window, &across, &down);
-  chosen.scale *= std::clamp(across, 1.0f, 4.0f);
+  int shown_width = options.width, shown_height = options.height;
+  glfwGetFramebufferSize(window, &shown_width, &shown_height);
+  chosen.scale = fittingScale(chosen.scale * std::clamp(across, 1.0f, 4.0f), shown_width, shown_height);
   auto editor = Editor::create(chosen);
   if (!editor) return tl::unexpected<Error>(editor.error());
   runLoop(**editor, input, window);

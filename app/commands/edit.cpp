@@ -107,7 +107,7 @@ void addEdit(CLI::App& app, Outcome& outcome) {
   command->add_option("--size", options->size, "Size of the window in pixels; 1440x900 by default")->type_name("WxH");
   command->add_option("--library", options->library, "Folder whose presets and missions the library lists; the shipped ones by default")->type_name("FOLDER");
   command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");
-  command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default")->type_name("FACTOR");
+  command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default, less where the window is too small for it")->type_name("FACTOR");
   command->add_flag("--print-state", options->print_state, "Print the editor's state when the window is closed");
   command->footer(footer());
   command->callback([options, &outcome] { outcome.exit_code = edit(*options); });

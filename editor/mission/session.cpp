@@ -80,9 +80,11 @@ void MissionSession::accept(std::shared_ptr<const Recording> recording) {
   shots_ = shotsOf(*recording_);
   owners_ = ownersOf(*recording_);
   reach_.assign(recording_->scenario.batteries.size(), 0.0);
-  if (const auto weapons = world::missionWeapons(recording_->scenario))
+  if (auto weapons = world::missionWeapons(recording_->scenario)) {
     for (std::size_t i = 0; i < reach_.size(); ++i)
       if (const Weapon* weapon = weapons->find(std::to_string(recording_->scenario.batteries[i].weapon))) reach_[i] = static_cast<double>(weapon->range_m);
+    weapons_ = std::move(weapons->list);
+  }
   const ObjectRef& selected = document.selected();
   if (!exists(document.scenario(), selected) && !exists(recording_->scenario, selected) && (selected.kind != ObjectRef::Kind::vehicle || recording_->findVehicle(selected.id) < 0)) document.select({});
   if (std::exchange(frame_on_arrival_, false)) {

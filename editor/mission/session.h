@@ -10,6 +10,8 @@
 #include "editor/mission/shots.h"
 #include "editor/mission/words.h"
 
+#include <npsee/weapons.h>
+
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -55,6 +57,8 @@ class MissionSession {
   const ObjectRef& owner(int vehicle) const { return owners_[static_cast<std::size_t>(vehicle)]; }
   /// Reach of each battery's weapon as its weapons.dat gives it, m; 0 = unknown.
   const std::vector<double>& reach() const { return reach_; }
+  /// What batteries can be armed with, from the mission's weapons.dat; empty before there is a recording.
+  const std::vector<Weapon>& weapons() const { return weapons_; }
   bool simulating() const { return runner_.busy() || requested_ != wanted(); }
   /// Share of the mission that the running simulation has covered, 0..1.
   double progress() const;
@@ -133,6 +137,7 @@ class MissionSession {
   std::vector<Shot> shots_;
   std::vector<ObjectRef> owners_;
   std::vector<double> reach_;
+  std::vector<Weapon> weapons_;
   std::array<std::optional<render::MissionCamera>, 6> cameras_;
   bool frame_on_arrival_ = true;  ///< a new mission is put into view, an edit is not
   double aspect_ = 1.6;

@@ -100,7 +100,7 @@ std::string spot(const Line& l) {
   const double mil = l.e.number("lateral_mil"), metres = l.e.number("range_m");
   const std::string across = std::abs(mil) < 0.5 ? "on line" : mils(std::abs(mil)) + (mil > 0.0 ? " right" : " left");
   const std::string along = std::abs(metres) < 0.5 ? "at the range" : distanceText(std::abs(metres)) + (metres > 0.0 ? " over" : " short");
-  return who + " spots " + shell + ' ' + across + ", " + along + '.';
+  return who + " spots " + shell + ": " + across + ", " + along + '.';
 }
 
 std::string correction(const Line& l) {

@@ -5,6 +5,7 @@
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
 
+#include <algorithm>
 #include <array>
 
 namespace npsee::editor {
@@ -12,12 +13,13 @@ namespace {
 
 void line(const PanelContext& ui, const std::string& key, const std::string& text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(24), column = ui.px(112);
+  const float width = ImGui::GetContentRegionAvail().x, column = ui.px(112), inset = ui.px(4);
   ImGui::PushFont(ui.fonts.numbers);
-  rowText(at, column, height, ui.theme.accent, key);
+  rowText(at, column, ui.px(24), ui.theme.accent, key);
   ImGui::PopFont();
-  rowText({at.x + column, at.y}, width - column, height, ui.theme.text, text);
-  ImGui::Dummy(ImVec2(width, height));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - column);
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + column, at.y + inset}, ui.theme.text, text.c_str(), nullptr, width - column);
+  ImGui::Dummy(ImVec2(width, std::max(ui.px(24), size.y + 2.0f * inset)));
 }
 
 struct MouseUse {

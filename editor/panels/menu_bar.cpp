@@ -79,8 +79,7 @@ void drawModes(const PanelContext& ui) {
 
 void drawMenuBar(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(30) - ImGui::GetFontSize()))));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(6)));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  beginMenuStyle(ui);
   if (ImGui::BeginMenuBar()) {
     const std::array<std::string_view, 6> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Time", "Help"};
     for (const std::string_view menu : menus) drawMenu(ui, menu);
@@ -88,7 +87,8 @@ void drawMenuBar(const PanelContext& ui) {
     drawTitle(ui);
     ImGui::EndMenuBar();
   }
-  ImGui::PopStyleVar(3);
+  endMenuStyle();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace npsee::editor

@@ -128,10 +128,7 @@ void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
   const RowFrame frame = beginRow(ui, row.name, std::string(parameter.label), longText(parameter) ? 92.0f : 26.0f);
   row.control = frame.control;
   if (ui.resting(row.name, std::string(parameter.doc))) drawHelp(ui, row, frame);
-  if (ImGui::BeginPopupContextItem(("menu:" + row.name).c_str())) {
-    drawRowMenu(ui, row);
-    ImGui::EndPopup();
-  }
+  contextMenu(ui, ("menu:" + row.name).c_str(), [&] { drawRowMenu(ui, row); });
   takeScripted(ui, row);
   drawWidget(ui, row);
   if (endRow(ui, frame, row.changed && resettable(row) ? clipped(valueText(parameter, parameter.initial, true)) : std::string(), !row.idle.empty())) commit(ui, row, parameter.initial);

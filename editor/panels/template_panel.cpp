@@ -40,15 +40,12 @@ Pose poseOf(const Session& session, const Box& box) {
 }
 
 void drawViewMenu(const PanelContext& ui) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
-  if (ImGui::BeginPopupContextItem("template views")) {
+  contextMenu(ui, "template views", [&] {
     for (const ViewName& entry : kViews) {
       if (ImGui::MenuItem(entry.name, nullptr, ui.session.template_view == entry.view)) ui.session.template_view = entry.view;
       ui.item("item:" + std::string(entry.name));
     }
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar();
+  });
 }
 
 void turn(const PanelContext& ui) {

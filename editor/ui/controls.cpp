@@ -140,7 +140,24 @@ void rowTextRight(float right, float y, float height, ImU32 colour, const std::s
   ImGui::GetWindowDrawList()->AddText({std::floor(right - width), std::floor(y + 0.5f * (height - ImGui::GetFontSize()))}, colour, text.c_str());
 }
 
+void beginMenuStyle(const PanelContext& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(6)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+}
+
+void endMenuStyle() { ImGui::PopStyleVar(2); }
+
+bool checkEntry(const std::string& label, bool on) {
+  ImGui::PushItemFlag(ImGuiItemFlags_SelectableDontClosePopup, true);
+  const bool clicked = ImGui::MenuItem(label.c_str(), nullptr, on);
+  ImGui::PopItemFlag();
+  return clicked;
+}
+
 void tooltip(const PanelContext& ui, const std::string& text) {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax(), mouse = ImGui::GetIO().MousePos, window = ImGui::GetIO().DisplaySize;
+  const bool below = max.y + ui.px(120) < window.y, right = mouse.x + ui.px(340) > window.x;
+  if (max.y - min.y < ui.px(64)) ImGui::SetNextWindowPos({mouse.x, below ? max.y + ui.px(4) : min.y - ui.px(4)}, ImGuiCond_Always, {right ? 1.0f : 0.0f, below ? 0.0f : 1.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(320));

@@ -3,6 +3,7 @@
 #include "editor/ui/context.h"
 #include "editor/ui/icons.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,38 @@ void rowText(const ImVec2& at, float width, float height, ImU32 colour, const st
 /// Text right-aligned to end at `right`.
 void rowTextRight(float right, float y, float height, ImU32 colour, const std::string& text);
 
-/// Tooltip of plain words, wrapped.
+/// Room around and between the entries of menus. Popped with endMenuStyle().
+void beginMenuStyle(const PanelContext& ui);
+void endMenuStyle();
+/// A menu under the button `min`..`max` that opens it, or above it where there is more room, filled by `draw` while it is open.
+template <class Draw>
+void dropDown(const PanelContext& ui, const char* id, ImVec2 min, ImVec2 max, const Draw& draw) {
+  const float over = min.y, under = ImGui::GetIO().DisplaySize.y - max.y;
+  const bool below = under > over;
+  ImGui::SetNextWindowPos({min.x, below ? max.y + ui.px(2) : min.y - ui.px(2)}, ImGuiCond_Always, {0.0f, below ? 0.0f : 1.0f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, std::max(over, under) - ui.px(8)});
+  beginMenuStyle(ui);
+  if (ImGui::BeginPopup(id)) {
+    draw();
+    ImGui::EndPopup();
+  }
+  endMenuStyle();
+}
+/// The menu of the right mouse button over the last item.
+template <class Draw>
+void contextMenu(const PanelContext& ui, const char* id, const Draw& draw) {
+  beginMenuStyle(ui);
+  if (ImGui::BeginPopupContextItem(id)) {
+    draw();
+    ImGui::EndPopup();
+  }
+  endMenuStyle();
+}
+/// An entry with a check mark; the menu stays open, since several are often changed together. True if it was clicked.
+bool checkEntry(const std::string& label, bool on);
+
+/// Tooltip of plain words, wrapped. Stands below the last item, or above it where there is no room, so that it hides neither the item nor
+/// its neighbours.
 void tooltip(const PanelContext& ui, const std::string& text);
 
 /// Upper case for ASCII.

@@ -11,9 +11,16 @@ namespace npsee::world {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+/// "a vehicle", "an observer".
+std::string withArticle(std::string_view name) { return (name.find_first_of("aeiou") == 0 ? "an " : "a ") + std::string(name); }
+
+}  // namespace
+
 void TableReader::read(const Struct& table, const ordered_json& object, const std::string& pointer, void* out, const std::vector<std::string_view>& extra) {
   if (!object.is_object()) {
-    faults_.push_back(json_.fault(pointer, "a " + std::string(table.name) + " is " + shownJson(object) + ", but must be an object.", ""));
+    faults_.push_back(json_.fault(pointer, withArticle(table.name) + " is " + shownJson(object) + ", but must be an object.", ""));
     return;
   }
   readIdentity(table, object, pointer, out);
@@ -105,7 +112,7 @@ void TableReader::unknown(const Struct& table, const std::string& key, const std
   std::vector<std::string_view> known = table.keys();
   known.insert(known.end(), extra.begin(), extra.end());
   const auto near = nearest(key, known);
-  faults_.push_back(json_.fault(pointer, "a " + std::string(table.name) + " has no such key.", near ? "Did you mean " + std::string(*near) + "?" : "`npsee params --missions` lists all keys."));
+  faults_.push_back(json_.fault(pointer, withArticle(table.name) + " has no such key.", near ? "Did you mean " + std::string(*near) + "?" : "`npsee params --missions` lists all keys."));
 }
 
 }  // namespace npsee::world

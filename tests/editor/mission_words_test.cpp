@@ -17,7 +17,7 @@ MissionEvent event(double t, EventKind kind, std::vector<std::pair<std::string, 
 TEST(MissionWords, EventsReadAsSentences) {
   EXPECT_EQ(eventSentence(event(1.0, EventKind::fire, {{"shell", std::int64_t{7}}, {"gun", std::string("gun2")}, {"target", std::string("t72-1")}, {"trajectory", std::string("low")}, {"qe_mil", 349.4}, {"azimuth_mil", 1600.2}})),
             "gun2 fires shell 7 at t72-1, low, elevation 349 mil, azimuth 1600 mil.");
-  EXPECT_EQ(eventSentence(event(1.0, EventKind::spot, {{"observer", std::string("fo1")}, {"shell", std::int64_t{1}}, {"lateral_mil", -25.0}, {"range_m", 120.0}, {"observed", true}})), "fo1 spots shell 1 25 mil left, 120 m over.");
+  EXPECT_EQ(eventSentence(event(1.0, EventKind::spot, {{"observer", std::string("fo1")}, {"shell", std::int64_t{1}}, {"lateral_mil", -25.0}, {"range_m", 120.0}, {"observed", true}})), "fo1 spots shell 1: 25 mil left, 120 m over.");
   EXPECT_EQ(eventSentence(event(1.0, EventKind::spot, {{"observer", std::string("fo1")}, {"shell", std::int64_t{1}}, {"observed", false}})), "fo1 does not see where shell 1 bursts.");
   EXPECT_EQ(eventSentence(event(1.0, EventKind::warning, {{"text", std::string("Too much wind")}})), "Too much wind.");
   EXPECT_EQ(eventSentence(event(1.0, EventKind::destroyed, {{"target", std::string("t72-1")}, {"shell", std::int64_t{3}}, {"miss_m", 4.0}})), "t72-1 is destroyed by shell 3, 4.0 m from the burst.");

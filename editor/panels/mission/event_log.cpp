@@ -37,6 +37,7 @@ const std::vector<int>& listed(const PanelContext& ui) {
   list.kinds = mission.filter.kinds;
   list.word = mission.filter.word;
   list.shown.clear();
+  list.followed = static_cast<std::size_t>(-1);  // the present moment is looked up in the new list
   const auto& events = mission.recording()->events;
   for (std::size_t i = 0; i < events.size(); ++i)
     if (mission.filter.lists(events[i])) list.shown.push_back(static_cast<int>(i));
@@ -44,30 +45,29 @@ const std::vector<int>& listed(const PanelContext& ui) {
 }
 
 void drawKindMenu(const PanelContext& ui) {
-  if (!ImGui::BeginPopup("event kinds")) return;
   auto& kinds = ui.session.mission().filter.kinds;
-  const auto entry = [&](const char* label, const auto& choose) {
-    if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups)) choose();
+  const auto entry = [&](const char* label, const auto& shown) {
+    if (checkEntry(label, false))
+      for (int i = 0; i < kEventKinds; ++i) kinds[static_cast<std::size_t>(i)] = shown(static_cast<EventKind>(i));
     ui.item(std::string("item:") + label);
   };
-  entry("All", [&] { std::fill(kinds.begin(), kinds.end(), true); });
-  entry("What stands on the time line", [&] {
-    for (int i = 0; i < kEventKinds; ++i) kinds[static_cast<std::size_t>(i)] = marked(static_cast<EventKind>(i));
-  });
+  entry("All", [](EventKind) { return true; });
+  entry("None", [](EventKind) { return false; });
+  entry("What stands on the time line", [](EventKind kind) { return marked(kind); });
   ImGui::Separator();
   for (int i = 0; i < kEventKinds; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (ImGui::Selectable(eventTitle(static_cast<EventKind>(i)).c_str(), kinds[at], ImGuiSelectableFlags_DontClosePopups)) kinds[at] = !kinds[at];
+    if (checkEntry(eventTitle(static_cast<EventKind>(i)), kinds[at])) kinds[at] = !kinds[at];
     ui.item("toggle:kind " + std::string(eventKindNames()[at]));
   }
-  ImGui::EndPopup();
 }
 
 void drawFilter(const PanelContext& ui) {
   EventFilter& filter = ui.session.mission().filter;
-  const bool all = std::ranges::all_of(filter.kinds, [](bool on) { return on; });
-  if (textButton(ui, all ? "All kinds" : "Some kinds", "event kinds")) ImGui::OpenPopup("event kinds");
-  drawKindMenu(ui);
+  const auto chosen = std::ranges::count(filter.kinds, true);
+  const std::string label = chosen == kEventKinds ? "All kinds" : chosen == 1 ? "1 kind" : std::to_string(chosen) + " kinds";
+  if (textButton(ui, label, "event kinds")) ImGui::OpenPopup("event kinds");
+  dropDown(ui, "event kinds", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), [&] { drawKindMenu(ui); });
   ImGui::SameLine();
   ImGui::SetNextItemWidth(std::min(ImGui::GetContentRegionAvail().x, ui.px(240)));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(26) - ImGui::GetFontSize()))));
@@ -129,12 +129,13 @@ void drawEventLog(const PanelContext& ui) {
   drawFilter(ui);
   ImGui::Dummy(ImVec2(1, ui.px(1)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  ImGui::BeginChild("events", ImVec2(0, 0));
+  // A whole number of rows, so that none is cut.
+  const float row = ui.px(22);
+  ImGui::BeginChild("events", ImVec2(0, std::max(row, std::floor(ImGui::GetContentRegionAvail().y / row) * row)));
   if (mission.recording() == nullptr || mission.recording()->events.empty()) {
     ImGui::TextDisabled("Nothing has happened.");
   } else {
     const auto& shown = listed(ui);
-    const float row = ui.px(22);
     if (shown.empty()) ImGui::TextDisabled("No event passes the filter.");
     follow(ui, shown, row);
     const auto last = mission.lastEvent();

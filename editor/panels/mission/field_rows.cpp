@@ -103,6 +103,8 @@ Choices choicesOf(const PanelContext& ui, const Field& field) {
   }
   if (field.type == FieldType::integer && field.key == "type")
     for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) out.emplace_back(std::to_string(type.index), type.name.empty() ? "type " + std::to_string(type.index) : type.name);
+  if (field.type == FieldType::integer && field.key == "weapon")
+    for (const Weapon& weapon : ui.session.mission().weapons()) out.emplace_back(std::to_string(weapon.id), weapon.name);
   if (field.key != "preset") return out;
   out.emplace_back("", "by the weapon");
   for (const LibraryEntry& entry : ui.session.presets()) {
@@ -110,6 +112,16 @@ Choices choicesOf(const PanelContext& ui, const Field& field) {
     out.emplace_back(name, entry.title.empty() ? name : entry.title);
   }
   return out;
+}
+
+/// What an empty text stands for.
+std::string emptyWords(std::string_view key) {
+  if (key == "projectile" || key == "charges") return "by the weapon";
+  if (key == "rules") return "the shipped ones alone";
+  if (key == "weapons") return "the shipped ones";
+  if (key == "batteries") return "all";
+  if (key == "vehicle") return "one of his own";
+  return "none";
 }
 
 void choiceRow(const PanelContext& ui, const FieldRow& row, const Choices& choices) {
@@ -122,7 +134,7 @@ void choiceRow(const PanelContext& ui, const FieldRow& row, const Choices& choic
 void textRow(const PanelContext& ui, const FieldRow& row) {
   const std::string text = world::fieldText(row.field, row.value);
   const bool marked = row.changed() && row.field.type != FieldType::id && row.field.key != "description";
-  if (textWidget(ui, row.name, text, "none", marked ? ui.theme.accent : ui.theme.text, row.control)) beginTyping(ui, row.name, text);
+  if (textWidget(ui, row.name, text, emptyWords(row.field.key), marked ? ui.theme.accent : ui.theme.text, row.control)) beginTyping(ui, row.name, text);
 }
 
 void drawWidget(const PanelContext& ui, const FieldRow& row) {

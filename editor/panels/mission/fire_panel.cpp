@@ -129,17 +129,21 @@ void drawLocation(const PanelContext& ui, CallForm& call, int observer) {
     if (chip(ui, word, std::string("by ") + word, call.locate == way)) call.locate = way;
     ImGui::SameLine();
   }
-  if (chip(ui, "pick", "pick target", ui.state.mission.click == GroundClick::call_for_fire, "The next click on the ground is the target")) {
+  ImGui::SetCursorScreenPos(below);
+  const Box from = formRow(ui, "Taken from");
+  const ImVec2 after_from = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({from.at.x, from.at.y + ui.px(2)});
+  if (chip(ui, "a click", "pick target", ui.state.mission.click == GroundClick::call_for_fire, "The next click on the ground is the target")) {
     ui.state.mission.click = GroundClick::call_for_fire;
     if (call.locate == Locate::shift) call.locate = Locate::grid;
   }
   const render::MissionCamera& camera = ui.session.mission().view.camera;
   if (camera.kind == render::MissionCamera::Kind::observer) {
     ImGui::SameLine();
-    if (chip(ui, "reticle", "from the reticle", false, "Azimuth and distance of the ground in the middle of the glass")) readReticle(ui, call, observer);
+    if (chip(ui, "the reticle", "from the reticle", false, "Azimuth and distance of the ground in the middle of the glass")) readReticle(ui, call, observer);
   }
   ImGui::PopStyleVar();
-  ImGui::SetCursorScreenPos(below);
+  ImGui::SetCursorScreenPos(after_from);
   const WorldSetup& world = ui.session.mission().document.scenario().world;
   const auto number = [&](const char* label, const char* name, double& value, Range hard, double span, Unit unit) {
     takeScripted(ui, name, value);

@@ -80,16 +80,22 @@ void drawLabels(const PanelContext& ui, const Box& box) {
     const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
     ImVec2 min{std::floor(label.at.x - 0.5f * size.x), std::floor(label.at.y - label.above - size.y)};
     if (label.at.x < box.at.x || label.at.x > box.right() || label.at.y < box.at.y || label.at.y > box.end().y) continue;
+    // The glass shows nothing outside of its circle.
+    if (glass && std::hypot(label.at.x - box.at.x - 0.5f * box.width, label.at.y - box.at.y - 0.5f * box.height) > 0.48f * static_cast<float>(render::kCircleShare) * box.height) continue;
     // Whole within the picture: at its edge beside or below rather than cut.
     min.x = std::clamp(min.x, box.at.x + ui.px(4), std::max(box.at.x + ui.px(4), box.right() - size.x - ui.px(4)));
-    if (glass) min.y = std::floor(label.at.y + ui.px(44));
-    else if (min.y < box.at.y + ui.px(2)) min.y = std::floor(label.at.y + label.above);
+    if (glass) {
+      min.y = std::floor(label.at.y + ui.px(44));
+      const float scale = box.at.y + 0.5f * box.height;
+      if (min.y + size.y > scale - ui.px(8) && min.y < scale + ui.px(28)) min.y = std::floor(scale + ui.px(28));
+    }
+    if (!glass && min.y < box.at.y + ui.px(2)) min.y = std::floor(label.at.y + label.above);
     const ImVec2 max{min.x + size.x, min.y + size.y};
     const ImVec2 room_min{min.x - ui.px(3), min.y - ui.px(1)}, room_max{max.x + ui.px(3), max.y + ui.px(1)};
     if (label.rank != 0 && std::ranges::any_of(taken, [&](const Taken& other) { return other.meets(room_min, room_max); })) continue;
     taken.push_back({room_min, room_max});
     if (glass) list.AddLine({label.at.x, min.y - ui.px(2)}, {label.at.x, label.at.y + ui.px(10)}, faded(label.colour, 0.6f), 1.0f);
-    list.AddRectFilled(room_min, room_max, faded(ui.theme.background, 0.5f), ui.px(3));
+    list.AddRectFilled(room_min, room_max, faded(ui.theme.background, 0.78f), ui.px(3));
     list.AddText(min, label.colour, label.text.c_str());
     ui.item("label:" + label.text, min, max);
   }

@@ -145,7 +145,6 @@ void drawLines(const PanelContext& ui, const std::string& title, const std::vect
 
 void drawAddMenu(const PanelContext& ui) {
   MissionUi& my = ui.state.mission;
-  if (!ImGui::BeginPopup("add object")) return;
   const auto entry = [&](const std::string& label, GroundClick click, int type) {
     if (ImGui::MenuItem(label.c_str())) {
       my.click = click;
@@ -158,7 +157,6 @@ void drawAddMenu(const PanelContext& ui) {
   entry("Ten vehicles at random", GroundClick::group, 51);
   ImGui::Separator();
   for (const VehicleType& type : vehicleTypes(ui.session.mission().document.scenario())) entry(type.name.empty() ? "Type " + std::to_string(type.index) : type.name, GroundClick::vehicle, type.index);
-  ImGui::EndPopup();
 }
 
 void drawButtons(const PanelContext& ui, ImVec2 at, float width) {
@@ -168,12 +166,13 @@ void drawButtons(const PanelContext& ui, ImVec2 at, float width) {
   ImGui::SetCursorScreenPos({at.x + width - ui.px(3 * 24), at.y + ui.px(1)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (iconButton(ui, Icon::plus, "add object", "Add a vehicle, gun or observer; the next click on the ground places it", ui.state.mission.click != GroundClick::select, 24)) ImGui::OpenPopup("add object");
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImGui::SameLine();
   if (iconButton(ui, Icon::copy, "duplicate object", "Duplicate the selected thing", false, 24, any)) ui.session.took(document.duplicateSelected());
   ImGui::SameLine();
   if (iconButton(ui, Icon::bin, "delete object", "Delete the selected thing", false, 24, any)) ui.session.took(document.removeSelected());
   ImGui::PopStyleVar();
-  drawAddMenu(ui);
+  dropDown(ui, "add object", min, max, [&] { drawAddMenu(ui); });
   ImGui::SetCursorScreenPos(below);
 }
 

@@ -95,7 +95,7 @@ void drawPauseAt(const PanelContext& ui, float width) {
   for (int i = 0; i < kEventKinds; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const bool on = clock.pause_at[at];
-    if (ImGui::Selectable(eventTitle(static_cast<EventKind>(i)).c_str(), on, ImGuiSelectableFlags_DontClosePopups)) clock.pause_at[at] = !on;
+    if (checkEntry(eventTitle(static_cast<EventKind>(i)), on)) clock.pause_at[at] = !on;
     ui.item("pause:" + std::string(eventKindNames()[at]));
   }
   ImGui::EndCombo();

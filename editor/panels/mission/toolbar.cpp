@@ -1,8 +1,6 @@
 #include "editor/panels/mission/panels.h"
 #include "editor/ui/controls.h"
 
-#include <imgui_internal.h>
-
 #include <array>
 #include <string>
 
@@ -58,16 +56,18 @@ void eachToggle(const PanelContext& ui, const Draw& draw) {
 }
 
 void drawShowMenu(const PanelContext& ui) {
-  if (textButton(ui, "Show", "show")) ImGui::OpenPopup("overlays");
-  if (!ImGui::BeginPopup("overlays")) return;
-  eachToggle(ui, [&](const char* label, const char* name, bool on, const char*, const auto& flip) {
-    // The list stays open: several are often changed together.
-    ImGui::PushItemFlag(ImGuiItemFlags_SelectableDontClosePopup, true);
-    if (ImGui::MenuItem(label, nullptr, on)) flip();
-    ImGui::PopItemFlag();
-    ui.item(std::string("toggle:") + name);
+  const bool clicked = chip(ui, "Show", "overlays", ImGui::IsPopupOpen("overlays"), "What is drawn over the ground");
+  ui.item("button:show");
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  if (clicked) ImGui::OpenPopup("overlays");
+  dropDown(ui, "overlays", min, max, [&] {
+    eachToggle(ui, [&](const char* label, const char* name, bool on, const char* tip, const auto& flip) {
+      if (checkEntry(label, on)) flip();
+      const std::string full = std::string("toggle:") + name;
+      ui.item(full);
+      ui.resting(full, tip);
+    });
   });
-  ImGui::EndPopup();
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void drawMissionToolbar(const PanelContext& ui) {
   eachToggle(ui, [&](const char* label, auto&&...) { needed += chipWidth(ui, label) + ui.px(2); });
   const float ruler = chipWidth(ui, "Ruler") + ui.px(12), left = ImGui::GetCursorScreenPos().x + ui.px(10);
   const bool fits = left + needed + ruler < at.x + width;
-  ImGui::SetCursorScreenPos({fits ? at.x + width - needed - ruler : at.x + width - ruler - ui.px(58), at.y + ui.px(fits ? 5 : 3)});
+  ImGui::SetCursorScreenPos({fits ? at.x + width - needed - ruler : at.x + width - ruler - chipWidth(ui, "Show") - ui.px(2), at.y + ui.px(5)});
   if (fits) {
     eachToggle(ui, [&](const char* label, const char* name, bool on, const char* tip, const auto& flip) {
       if (chip(ui, label, name, on, tip)) flip();

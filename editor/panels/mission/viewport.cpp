@@ -220,6 +220,11 @@ void drawRuler(const PanelContext& ui, const Box& box) {
 std::string hint(const PanelContext& ui) {
   const MissionSession& mission = ui.session.mission();
   if (const std::string click = groundClickHint(ui); !click.empty()) return click;
+  const Recording& recording = *mission.recording();
+  const CameraKind camera = mission.view.camera.kind;
+  if (camera == CameraKind::observer && recording.observers.empty()) return "There is no observer to look through. The plus above the list of objects adds one.";
+  if (camera == CameraKind::gun && recording.guns.empty()) return "There is no gun to stand at. The plus above the list of objects adds one.";
+  if (camera == CameraKind::follow && recording.shells.empty()) return "No shell was fired that could be followed.";
   return mission.live() ? "You are in the loop: the mission is simulated as it is played." : std::string();
 }
 
