@@ -1,5 +1,7 @@
 #include "app/commands/render_output.h"
 
+#include "sim/core/files.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -44,12 +46,6 @@ Expected<void> checkFolder(const fs::path& folder, const std::string& output) {
   return {};
 }
 
-/// A device or pipe that is written straight through.
-bool isSpecial(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);
-}
-
 }  // namespace
 
 std::string presetName(const std::string& file) {
@@ -71,7 +67,7 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
     if (auto checked = checkFolder(path, output); !checked) return tl::unexpected<Error>(checked.error());
     return inFolder(path, presets, sequence, ending);
   }
-  if (!isSpecial(path))
+  if (!isSpecialFile(path))
     if (auto checked = checkFolder(path.parent_path(), output); !checked) return tl::unexpected<Error>(checked.error());
   const std::string name = path.filename().string();
   if (!sequence) {
@@ -83,7 +79,7 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
   if (pattern.size > 0) {
     out.digits_ = pattern.digits;
     out.names_.push_back({path.parent_path(), name.substr(0, pattern.at), name.substr(pattern.at + pattern.size)});
-  } else if (isSpecial(path)) {
+  } else if (isSpecialFile(path)) {
     out.numbered_ = false;
     out.names_.push_back({path.parent_path(), name, ""});
   } else {
@@ -105,7 +101,7 @@ Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::v
   return out;
 }
 
-Expected<void> checkPlace(const fs::path& file) { return isSpecial(file) ? Expected<void>() : checkFolder(file.parent_path(), file.string()); }
+Expected<void> checkPlace(const fs::path& file) { return isSpecialFile(file) ? Expected<void>() : checkFolder(file.parent_path(), file.string()); }
 
 std::filesystem::path OutputNames::path(std::size_t index, std::int64_t number) const {
   const Name& name = names_.at(index);

@@ -112,6 +112,7 @@ Expected<void> readRange(const RenderOptions& options, RenderPlan& plan) {
   const auto from = readTime("--frames", options.frames, trimmed(parts[0])), to = readTime("--frames", options.frames, trimmed(parts[1]));
   if (!from) return tl::unexpected<Error>(from.error());
   if (!to) return tl::unexpected<Error>(to.error());
+  if (*from == *to) return refused("--frames", options.frames, "the range is empty: it ends where it begins.", remedy);
   if (!(*from < *to)) return refused("--frames", options.frames, "the range ends before it begins.", remedy);
   plan.range_s = {*from, *to};
   return {};

@@ -1,5 +1,7 @@
 #include "app/commands/render_summary.h"
 
+#include "sim/core/files.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ std::string summaryJson(const RenderSummary& summary) {
 std::string pathsText(const std::vector<WorkItem>& items, FileState state) {
   std::string out;
   for (const WorkItem& item : items)
-    if (item.state == state) out += item.path.string() + '\n';
+    if (item.state == state && !isSpecialFile(item.path)) out += item.path.string() + '\n';
   return out;
 }
 

@@ -18,7 +18,7 @@ struct RenderSummary {
 };
 std::string summaryJson(const RenderSummary& summary);
 
-/// The paths of the files in one of the states, one per line.
+/// The paths of the files in one of the states, one per line. A device or pipe is no file: its name would end up in what it carries.
 std::string pathsText(const std::vector<WorkItem>& items, FileState state);
 
 }  // namespace npsee::commands

@@ -1,5 +1,6 @@
 #include "app/render/video.h"
 
+#include "sim/core/files.h"
 #include "sim/core/text.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -152,7 +152,10 @@ bool appendSeal(int file, VideoFormat format, const std::string& comment) {
 }  // namespace
 
 struct VideoWriter::Impl {
-  fs::path path, temporary;
+  explicit Impl(TemporaryFile file) : temporary(std::move(file)) {}
+
+  fs::path path;
+  TemporaryFile temporary;
   VideoSettings settings;
   Descriptor input, messages;
   pid_t child = -1;
@@ -163,7 +166,6 @@ struct VideoWriter::Impl {
       ::kill(child, SIGKILL);
       wait();
     }
-    if (!temporary.empty()) ::unlink(temporary.c_str());
   }
 
   /// ffmpeg's exit status, -1 if a signal ended it.
@@ -235,22 +237,18 @@ std::optional<std::string> videoComment(const fs::path& path) {
 Expected<VideoWriter> VideoWriter::open(const fs::path& path, const VideoSettings& settings) {
   const auto program = findFfmpeg();
   if (!program) return tl::unexpected<Error>(program.error());
-  auto impl = std::make_unique<Impl>();
+  if (isSpecialFile(path)) return cannotWrite(path, "it is no regular file, and encoders go back in what they have written", "Write to a file.");
+  auto temporary = TemporaryFile::beside(path);
+  if (!temporary) return tl::unexpected<Error>(temporary.error());
+  auto impl = std::make_unique<Impl>(std::move(*temporary));
   impl->path = path;
   impl->settings = settings;
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return cannotWrite(path, "it is a folder");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-  const Descriptor made(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (made.get() < 0) return cannotWrite(path, errno == ENOENT ? "the folder does not exist" : std::strerror(errno));
-  impl->temporary = temporary;
   impl->messages = Descriptor(::memfd_create("ffmpeg", MFD_CLOEXEC));
   std::array<int, 2> pipe{};
   if (impl->messages.get() < 0 || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return cannotWrite(path, std::strerror(errno));
   const Descriptor read_end(pipe[0]);
   impl->input = Descriptor(pipe[1]);
-  impl->child = start(ffmpegWords(*program, settings, impl->temporary), read_end.get(), impl->messages.get());
+  impl->child = start(ffmpegWords(*program, settings, impl->temporary.path()), read_end.get(), impl->messages.get());
   if (impl->child < 0) return cannotWrite(path, program->string() + ": " + std::strerror(errno), "Name a program that can be run in NPSEE_FFMPEG, or unset it.");
   return VideoWriter(std::move(impl));
 }
@@ -276,12 +274,11 @@ Expected<void> VideoWriter::add(const Image& frame) {
 Expected<void> VideoWriter::finish() {
   impl_->input.close();
   if (impl_->child < 0 || impl_->wait() != 0) return impl_->refused();
-  const Descriptor file(::open(impl_->temporary.c_str(), O_RDWR | O_CLOEXEC));
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (file.get() < 0 || !appendSeal(file.get(), impl_->settings.format, impl_->settings.comment.substr(0, kMostComment)) || ::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0 || ::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) return cannotWrite(impl_->path, std::strerror(errno));
-  impl_->temporary.clear();
-  return {};
+  Descriptor file(::open(impl_->temporary.path().c_str(), O_RDWR | O_CLOEXEC));
+  if (::lseek(file.get(), 0, SEEK_END) == 0) return impl_->refused();
+  if (file.get() < 0 || !appendSeal(file.get(), impl_->settings.format, impl_->settings.comment.substr(0, kMostComment))) return cannotWrite(impl_->path, std::strerror(errno));
+  file.close();
+  return impl_->temporary.publish();
 }
 
 }  // namespace npsee::render

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -94,44 +95,64 @@ Expected<std::string> readTextFile(const fs::path& path, std::size_t limit) {
   }
 }
 
-Expected<void> writeFileAtomically(const fs::path& wanted, std::span<const std::byte> bytes) {
-  const fs::path path = linkTarget(wanted);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+bool isSpecialFile(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return cannotWrite(wanted, "it is a folder");
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+Expected<TemporaryFile> TemporaryFile::beside(const fs::path& wanted) {
+  std::error_code ignored;
+  if (fs::is_directory(wanted, ignored)) return cannotWrite(wanted, "it is a folder");
   // Renaming over a device (/dev/full, /dev/null) would replace the device.
-  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
-    const Descriptor direct(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!direct.valid() || !writeAll(direct.get(), bytes)) return cannotWrite(wanted, reason());
-    return {};
-  }
-
-  std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (isSpecialFile(wanted)) return cannotWrite(wanted, "it is no regular file");
+  TemporaryFile out;
+  out.wanted_ = wanted;
+  out.target_ = linkTarget(wanted);
+  const fs::path folder = out.target_.has_parent_path() ? out.target_.parent_path() : fs::path(".");
+  std::string name = (folder / ("." + out.target_.filename().string() + ".XXXXXX")).string();
+  const Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
   if (!file.valid()) return cannotWrite(wanted, errno == ENOENT ? "the folder does not exist" : reason());
+  out.path_ = name;
+  return out;
+}
 
+TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept : wanted_(std::move(other.wanted_)), target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
+
+TemporaryFile::~TemporaryFile() {
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+Expected<void> TemporaryFile::publish() {
   struct stat old {};
-  // mkstemp makes files private; a new file gets what the umask leaves, a replaced one keeps its mode.
+  // Temporary files are private; a new file gets what the umask leaves, a replaced one keeps its mode.
   mode_t mode = 0666;
-  if (::stat(path.c_str(), &old) == 0) {
+  if (::stat(target_.c_str(), &old) == 0) {
     mode = old.st_mode & 07777;
   } else {
     const mode_t mask = ::umask(0);
     ::umask(mask);
     mode &= ~mask;
   }
-
-  const bool written = writeAll(file.get(), bytes) && ::fchmod(file.get(), mode) == 0 && ::fsync(file.get()) == 0;
-  const std::string why = written ? std::string() : reason();
-  const bool closed = file.close();
-  if (!written || !closed || ::rename(temporary.c_str(), path.c_str()) != 0) {
-    const std::string cause = written ? reason() : why;
-    ::unlink(temporary.c_str());
-    return cannotWrite(wanted, cause);
-  }
+  Descriptor file(::open(path_.c_str(), O_RDWR | O_CLOEXEC));
+  if (!file.valid() || ::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0 || !file.close() || ::rename(path_.c_str(), target_.c_str()) != 0) return cannotWrite(wanted_, reason());
+  path_.clear();
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (parent.valid()) ::fsync(parent.get());
   return {};
+}
+
+Expected<void> writeFileAtomically(const fs::path& wanted, std::span<const std::byte> bytes) {
+  if (isSpecialFile(wanted)) {
+    const Descriptor direct(::open(wanted.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!direct.valid() || !writeAll(direct.get(), bytes)) return cannotWrite(wanted, reason());
+    return {};
+  }
+  auto temporary = TemporaryFile::beside(wanted);
+  if (!temporary) return tl::unexpected<Error>(temporary.error());
+  Descriptor file(::open(temporary->path().c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.valid() || !writeAll(file.get(), bytes) || !file.close()) return cannotWrite(wanted, reason());
+  return temporary->publish();
 }
 
 Expected<void> writeFileAtomically(const fs::path& path, std::string_view text) {

@@ -21,4 +21,24 @@ Expected<std::string> readTextFile(const std::filesystem::path& path, std::size_
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
+/// Whether something is there that is neither file nor folder, such as a device or a pipe: it is written straight through, never replaced.
+bool isSpecialFile(const std::filesystem::path& path);
+
+/// A file that another program fills, and that then replaces `wanted` as writeFileAtomically does. Removed if it is not published.
+class TemporaryFile {
+ public:
+  /// An empty file in the folder of `wanted`. Error kind output: no such folder, not ours to write, or `wanted` is special.
+  static Expected<TemporaryFile> beside(const std::filesystem::path& wanted);
+  TemporaryFile(TemporaryFile&& other) noexcept;
+  ~TemporaryFile();
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Syncs and renames it. Error kind output.
+  Expected<void> publish();
+
+ private:
+  TemporaryFile() = default;
+  std::filesystem::path wanted_, target_, path_;
+};
+
 }  // namespace npsee

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include <sys/stat.h>
+
 namespace npsee {
 namespace {
 
@@ -137,6 +139,41 @@ TEST_F(RenderOutputs, WhatFfmpegSaysWhenItFailsIsPassedOnAndNothingIsLeft) {
   EXPECT_EQ(test::slurp(folder_ / "a.mp4"), "precious");
 }
 
+// Renaming over a device would replace the device; as root, for everybody.
+TEST_F(RenderOutputs, AVideoReplacesNoPipeAndNoLink) {
+  const std::string pipe = folder_ / "pipe.mp4";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  expect(small({"-o", pipe, "--frames", "0:0.2", "--fps", "10"}), 5, {}, {"pipe.mp4", "no regular file"});
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  test::spill(folder_ / "real.mp4", "old");
+  fs::permissions(folder_ / "real.mp4", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.mp4", folder_ / "link.mp4");
+  expect(small({"-o", folder_ / "link.mp4", "--frames", "0:0.2", "--fps", "10"}), 0, {"link.mp4"});
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.mp4"));
+  EXPECT_EQ(probed(folder_ / "real.mp4")["nb_read_frames"], "2");
+  EXPECT_EQ(fs::status(folder_ / "real.mp4").permissions(), fs::perms::owner_read | fs::perms::owner_write) << "a replaced file keeps its mode";
+  EXPECT_EQ(files(), (std::set<std::string>{"pipe.mp4", "real.mp4", "link.mp4"}));
+}
+
+TEST_F(RenderOutputs, AVideoThatLostItsEndIsNotTakenForWhole) {
+  for (const std::string name : {"a.mp4", "a.webm", "a.gif"}) {
+    const Words words{"--frames", "0:0.3", "--fps", "10", "--verify", "-o", folder_ / name};
+    small({"--frames", "0:0.3", "--fps", "10", "-o", folder_ / name});
+    EXPECT_EQ(small(words).exit_code, 0) << name;
+    const std::string whole = test::slurp(folder_ / name);
+    test::spill(folder_ / name, whole.substr(0, whole.size() - 1));
+    expect(small(words), 1, {folder_ / name});
+  }
+}
+
+TEST_F(RenderOutputs, APictureGoesIntoAPipe) {
+  const auto result = test::run("/bin/bash", {"-c", R"("$0" render "$1" --size 64x36 -o /dev/stdout --format png | cat >"$2")", test::npseePath(), preset("small"), folder_ / "piped.png"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  small({"-o", folder_ / "plain.png"});
+  EXPECT_EQ(test::slurp(folder_ / "piped.png"), test::slurp(folder_ / "plain.png")) << "and nothing else does";
+}
+
 TEST_F(RenderOutputs, WhatAVideoCannotBeExitsTwo) {
   const std::string mp4 = folder_ / "a.mp4", gif = folder_ / "a.gif";
   expect(render({preset("small"), "-o", mp4, "--size", "63x36"}), 2, {}, {"--size 63x36", "even numbers"});
@@ -146,6 +183,10 @@ TEST_F(RenderOutputs, WhatAVideoCannotBeExitsTwo) {
   expect(small({"-o", mp4, "--sheet", "2x2"}), 2, {}, {"in motion"});
   expect(small({"-o", mp4, "--template"}), 2, {}, {"in motion"});
   expect(small({"-o", mp4, "--fps", "0"}), 2, {}, {"--fps 0"});
+  expect(small({"-o", mp4, "--frames", "1:1"}), 2, {}, {"--frames 1:1", "the range is empty"});
+  expect(small({"-o", mp4, "--frames", "1:1.01", "--fps", "10"}), 0, {"a.mp4"});
+  fs::remove(mp4);
+  expect(small({"-o", mp4, "--frames", "1.01:1.02", "--fps", "10"}), 2, {}, {"no frame of 10 per second"});
   expect(small({"-o", mp4, "--golden", folder("g")}), 2, {}, {"goldens are PNG pictures"});
   expect(small({"-o", folder_ / "a.avi"}), 2, {}, {".mp4, .webm or .gif"});
   expect(small({"-o", mp4, "--format", "gif"}), 2, {}, {"contradict each other"});
