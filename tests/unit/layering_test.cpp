@@ -39,6 +39,10 @@ TEST(Layering, ContextsAndRendererKnowNeitherEditorNorCommandsNorImgui) {
   expectNone("app/render", "^(imgui|GLFW/|editor/|app/commands/|tests/|CLI/)");
 }
 
+TEST(Layering, WhatTheEditorWorksOnKnowsNeitherGlNorImguiNorPanels) {
+  for (const char* folder : {"editor/document", "editor/mission"}) expectNone(folder, "^(imgui|GLFW/|glad/|app/gl/|editor/(ui|panels|script)/)");
+}
+
 TEST(Layering, TheEditorKnowsNoCommand) { expectNone("editor", "^(app/commands/|tests/|CLI/)"); }
 
 TEST(Layering, PublicHeadersIncludeOnlyPublicHeadersAndTheStandardLibrary) {
