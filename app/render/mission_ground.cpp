@@ -102,6 +102,9 @@ std::vector<ScreenStroke> reticleOf(const MissionEye& eye, double field_mil, boo
   // Wide fields have coarser scales, so that ticks stay apart.
   const int step = field_mil <= 60.0 ? 1 : field_mil <= 300.0 ? 5 : field_mil <= 700.0 ? 25 : 50;
   const int reach = static_cast<int>(0.40 * field_mil / step) * step;
+  // Numbers keep apart in a small picture.
+  int numbered = 2 * step;
+  while (pixelsOfMil(eye, numbered) < 26.0 * scale && numbered < reach) numbered *= 2;
   // Free in the middle, where the target is.
   const double gap = std::max(pixelsOfMil(eye, 0.4 * step), 4.0 * scale);
   const auto tick = [&](int mil, bool across) {
@@ -110,7 +113,7 @@ std::vector<ScreenStroke> reticleOf(const MissionEye& eye, double field_mil, boo
     const double size = (major ? 9.0 : 5.0) * scale;
     if (across) out.push_back({{{cx + at, cy - size}, {cx + at, cy}}, fine});
     else out.push_back({{{cx - 0.5 * size, cy - at}, {cx + 0.5 * size, cy - at}}, fine});
-    if (!major || mil == 0) return;
+    if (mil % numbered != 0 || mil == 0) return;
     const int shown = mil < 0 ? -mil : mil;
     if (across) addText(std::to_string(shown), cx + at, cy + 14.0 * scale, 7.5 * scale, true, fine, out);
     else addText(std::to_string(shown), cx + 10.0 * scale, cy - at + 3.5 * scale, 7.0 * scale, false, fine, out);
