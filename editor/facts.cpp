@@ -72,9 +72,11 @@ void addMission(const MissionSession& mission, const UiState& state, Facts& out)
   if (recording == nullptr || document.selected().kind != ObjectRef::Kind::observer) return;
   const Grade grade = gradeOf(*recording, document.selected().id, mission.clock.time_s);
   const auto open = openMissions(*recording, document.selected().id, mission.clock.time_s);
+  const auto form = open.empty() ? mission.corrections.end() : mission.corrections.find(open.back().number);
+  const CorrectionForm said = form != mission.corrections.end() ? form->second : CorrectionForm{};
   out.insert(out.end(), {{"graded", std::to_string(grade.corrections)}, {"open missions", std::to_string(open.size())}, {"rounds", open.empty() ? "0" : std::to_string(open.back().rounds)},
                          {"call.x", shortest(mission.call.grid.x_m)}, {"call.z", shortest(mission.call.grid.z_m)}, {"call.azimuth", shortest(mission.call.azimuth_mil)}, {"call.distance", shortest(mission.call.distance_m)},
-                         {"correct.right", shortest(mission.correction.right_m)}, {"correct.add", shortest(mission.correction.add_m)}});
+                         {"correct.right", shortest(said.right_m)}, {"correct.add", shortest(said.add_m)}});
 }
 
 }  // namespace

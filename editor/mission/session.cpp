@@ -108,7 +108,7 @@ Expected<void> MissionSession::load(const std::filesystem::path& path) {
   shots_.clear();
   ruler = {};
   call = {};
-  correction = {};
+  corrections.clear();
   view.presets.clear();
   return done;
 }

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,7 +43,7 @@ class MissionSession {
   EventFilter filter;
   Ruler ruler;
   CallForm call;
-  CorrectionForm correction;
+  std::map<int, CorrectionForm> corrections;  ///< by the mission they are for; what was said is taken out
 
   /// Lets time pass, hands changes to the simulation and takes what it has finished. Messages go to `notices`.
   void update(double elapsed_s, Notices& notices);
@@ -104,7 +105,7 @@ class MissionSession {
   Expected<void> release(const std::string& who);
   /// Calls fire as `call` says, for the observer.
   Expected<void> callForFire(const std::string& observer);
-  /// Corrects the observer's mission as `correction` says; then adjusts on, or fires for effect.
+  /// Corrects the observer's mission as `corrections` says; then adjusts on, or fires for effect.
   Expected<void> correct(const std::string& observer, int mission, bool for_effect);
   /// A burst is seen along `direction` from the observer's eye: its deviation from the target of his newest mission, in mils right of it,
   /// fills in the lateral correction. Nothing if he has no mission under way.

@@ -68,10 +68,11 @@ Expected<void> MissionSession::callForFire(const std::string& observer) {
 Expected<void> MissionSession::correct(const std::string& observer, int mission, bool for_effect) {
   MissionCommand out = commandOf(for_effect ? MissionCommand::Kind::fire_for_effect : MissionCommand::Kind::correct, observer);
   out.mission = mission;
-  out.right_m = correction.right_m;
-  out.add_m = correction.add_m;
+  const CorrectionForm& said = corrections[mission];
+  out.right_m = said.right_m;
+  out.add_m = said.add_m;
   auto done = command(for_effect ? "Fire for effect" : "Correction", {}, std::move(out));
-  if (done) correction = {};
+  if (done) corrections.erase(mission);
   return done;
 }
 
@@ -82,7 +83,7 @@ std::optional<double> MissionSession::measure(const std::string& observer, const
   if (open.empty()) return std::nullopt;
   const auto [azimuth, distance] = polarTo(*recording_, index, clock.time_s, open.back().at);
   const double right = std::remainder(std::atan2(direction.x, -direction.z) * kMilPerRad - azimuth, 6400.0);
-  correction.right_m = lateralCorrection(right, distance);
+  corrections[open.back().number].right_m = lateralCorrection(right, distance);
   return right;
 }
 

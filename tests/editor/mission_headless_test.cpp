@@ -100,6 +100,15 @@ TEST_F(MissionScript, TheArrowKeysMoveEveryCameraInItsOwnWay) {
          small());
 }
 
+TEST_F(MissionScript, EachMissionUnderWayHasACorrectionOfItsOwn) {
+  Scenario scenario = test::smallMission();
+  scenario.observers[0].human = true;
+  passes("click observer:fo1\nclick tab:Fire\nclick button:take\nset call.x 7000\nset call.z 4850\nclick \"button:call for fire\"\nclick button:play\nwait 60\nset call.x 6500\nclick \"button:call for fire\"\nwait 60\n"
+         "expect \"open missions\" = 2\nset correct.1.right 70\nset correct.add -50\nexpect correct.right = 0\nexpect correct.add = -50\nclick \"button:end mission\"\nwait 30\n"
+         "expect \"open missions\" = 1\nexpect correct.right = 70\nexpect correct.add = 0\nexpect error =\n",
+         small(scenario));
+}
+
 TEST_F(MissionScript, TheReticleGivesTheCallItsDirectionAndDistance) {
   Scenario scenario = test::smallMission();
   scenario.observers[0].human = true;

@@ -96,7 +96,7 @@ TEST_F(MissionSessions, APersonCallsAndCorrectsFireAndIsGraded) {
   for (int i = 0; i < 60 && openMissions(*mission.recording(), "fo1", mission.clock.time_s)[0].rounds == 0; ++i) play(1.0);
   ASSERT_GT(count(EventKind::detonation), 0);
   play(1.0);
-  mission.correction = {100.0, 0.0};
+  mission.corrections[open[0].number] = {100.0, 0.0};
   ASSERT_TRUE(mission.correct("fo1", open[0].number, false).has_value());
   play(1.0);
   EXPECT_EQ(count(EventKind::correction), 1);

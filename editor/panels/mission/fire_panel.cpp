@@ -193,9 +193,11 @@ std::string lastSpot(const Recording& recording, int number, double t) {
   return {};
 }
 
-void drawOpen(const PanelContext& ui, const std::string& id, const OpenMission& open) {
+/// One mission under way. Names of its widgets end in its number unless it is the newest.
+void drawOpen(const PanelContext& ui, const std::string& id, const OpenMission& open, bool newest) {
   MissionSession& mission = ui.session.mission();
-  CorrectionForm& form = mission.correction;
+  CorrectionForm& form = mission.corrections[open.number];
+  const std::string number = newest ? std::string() : std::to_string(open.number), dot = newest ? std::string() : '.' + number, space = newest ? std::string() : ' ' + number;
   std::string method = open.effect ? "fire for effect" : open.method;
   std::ranges::replace(method, '_', ' ');
   heading(ui, ("Mission " + std::to_string(open.number) + ", " + method).c_str());
@@ -203,19 +205,19 @@ void drawOpen(const PanelContext& ui, const std::string& id, const OpenMission& 
   const std::string spot = lastSpot(*mission.recording(), open.number, mission.clock.time_s);
   ImGui::TextDisabled("%s", spot.empty() ? "Waiting for the first burst. In the observer's view a click on it measures the deviation." : spot.c_str());
   ImGui::PopTextWrapPos();
-  takeScripted(ui, "correct.right", form.right_m);
-  takeScripted(ui, "correct.add", form.add_m);
-  for (const auto& [label, name, value] : {std::tuple("Right (left -)", "correct.right", &form.right_m), std::tuple("Add (drop -)", "correct.add", &form.add_m)}) {
+  for (const auto& [label, key, value] : {std::tuple("Right (left -)", ".right", &form.right_m), std::tuple("Add (drop -)", ".add", &form.add_m)}) {
+    const std::string name = "correct" + dot + key;
+    takeScripted(ui, name, *value);
     const Box row = formRow(ui, label);
     const ImVec2 after = ImGui::GetCursorScreenPos();
     formNumber(ui, name, row, *value, {-5000.0, 5000.0}, 3000.0, Unit::metre);
     ImGui::SetCursorScreenPos(after);
   }
-  if (textButton(ui, form.right_m == 0.0 && form.add_m == 0.0 ? "Repeat" : "Correct", "correct", true)) ui.session.took(mission.correct(id, open.number, false));
+  if (textButton(ui, form.right_m == 0.0 && form.add_m == 0.0 ? "Repeat" : "Correct", "correct" + space, newest)) ui.session.took(mission.correct(id, open.number, false));
   ImGui::SameLine();
-  if (textButton(ui, "Fire for effect", "fire for effect")) ui.session.took(mission.correct(id, open.number, true));
+  if (textButton(ui, "Fire for effect", "fire for effect" + space)) ui.session.took(mission.correct(id, open.number, true));
   ImGui::SameLine();
-  if (textButton(ui, "End", "end mission")) ui.session.took(mission.endMission(id, open.number));
+  if (textButton(ui, "End", "end mission" + space)) ui.session.took(mission.endMission(id, open.number));
 }
 
 void drawGrade(const PanelContext& ui, const std::string& id) {
@@ -246,7 +248,9 @@ void drawObserverCommands(const PanelContext& ui) {
   }
   if (textButton(ui, "Hand back to the rules", "release")) ui.session.took(mission.release(id));
   drawCall(ui, id, observer);
-  for (const OpenMission& open : openMissions(*mission.recording(), id, mission.clock.time_s)) drawOpen(ui, id, open);
+  // The newest first: it is the one that is measured and most likely corrected.
+  const auto open = openMissions(*mission.recording(), id, mission.clock.time_s);
+  for (auto one = open.rbegin(); one != open.rend(); ++one) drawOpen(ui, id, *one, one == open.rbegin());
   drawGrade(ui, id);
 }
 

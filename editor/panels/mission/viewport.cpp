@@ -132,8 +132,10 @@ bool measured(const PanelContext& ui, const Vec3& ray) {
   const ObjectRef& selected = mission.document.selected();
   if (mission.view.camera.kind != CameraKind::observer || selected.kind != ObjectRef::Kind::observer || !mission.taken(selected.id)) return false;
   const auto right = mission.measure(selected.id, ray);
-  if (right) ui.session.notices.note = std::to_string(std::lround(std::abs(*right))) + (*right < 0.0 ? " mil left" : " mil right") + " of the target: " + correctionText(mission.correction.right_m, 0.0) + ".";
-  return right.has_value();
+  if (!right) return false;
+  const int newest = openMissions(*mission.recording(), selected.id, mission.clock.time_s).back().number;
+  ui.session.notices.note = std::to_string(std::lround(std::abs(*right))) + (*right < 0.0 ? " mil left" : " mil right") + " of the target: " + correctionText(mission.corrections[newest].right_m, 0.0) + ".";
+  return true;
 }
 
 void clicked(const PanelContext& ui, const render::MissionMark* mark, const std::optional<Vec3>& ground, const Vec3& ray) {
