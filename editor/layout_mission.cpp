@@ -15,12 +15,12 @@ constexpr float kLeftShare = 0.26f, kRightShare = 0.33f;    ///< of the window a
 
 float clampedWidth(const PanelContext& ui, float wish, float least, float most) { return std::floor(std::clamp(ui.px(wish), ui.px(least), std::max(ui.px(least), most))); }
 
-/// Two panels one above the other with a bar between them; `below` is the wished height of the lower one, unscaled.
+/// Two panels one above the other with a bar between them; `below` is the wished height of the lower one, unscaled, `share` of the whole at
+/// most.
 template <class Upper, class Lower>
-void stacked(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 size, float& below, const Upper& upper, const Lower& lower) {
+void stacked(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 size, float& below, float share, const Upper& upper, const Lower& lower) {
   const float bar = ui.px(kBar);
-  // The upper one keeps nearly half: the plan and the log are to look at, what is above them to work in.
-  const float most = std::min(size.y - ui.px(130), 0.55f * size.y);
+  const float most = std::min(size.y - ui.px(130), share * size.y);
   const float height = std::floor(std::clamp(ui.px(below), ui.px(96), std::max(ui.px(96), most)));
   upper(at, ImVec2(size.x, size.y - height - bar));
   // Downward makes the lower one smaller.
@@ -31,7 +31,7 @@ void stacked(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 
 void drawMissionLeft(const PanelContext& ui, ImVec2 at, ImVec2 size) {
   if (ui.session.files.mode != FilePanel::Mode::closed) return panel(ui, "files", at, size, drawFilePanel);
   if (ui.state.show_help) return panel(ui, "help", at, size, drawHelpPanel);
-  stacked(ui, "plan", at, size, ui.state.mission.plan_height, [&](ImVec2 a, ImVec2 s) { panel(ui, "objects", a, s, drawObjectsPanel); }, [&](ImVec2 a, ImVec2 s) { panel(ui, "plan", a, s, drawPlanPanel); });
+  stacked(ui, "plan", at, size, ui.state.mission.plan_height, 0.55f, [&](ImVec2 a, ImVec2 s) { panel(ui, "objects", a, s, drawObjectsPanel); }, [&](ImVec2 a, ImVec2 s) { panel(ui, "plan", a, s, drawPlanPanel); });
 }
 
 void drawMissionMiddle(const PanelContext& ui, ImVec2 at, ImVec2 size) {
@@ -42,7 +42,7 @@ void drawMissionMiddle(const PanelContext& ui, ImVec2 at, ImVec2 size) {
       drawMissionViewport(inner);
     }, 0.0f);
   };
-  stacked(ui, "log", at, size, ui.state.mission.bottom_height, upper, [&](ImVec2 a, ImVec2 s) { panel(ui, "bottom", a, s, drawBottomPanel); });
+  stacked(ui, "log", at, size, ui.state.mission.bottom_height, 0.42f, upper, [&](ImVec2 a, ImVec2 s) { panel(ui, "bottom", a, s, drawBottomPanel); });
 }
 
 }  // namespace

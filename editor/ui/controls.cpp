@@ -37,13 +37,29 @@ bool textButton(const PanelContext& ui, const std::string& label, const std::str
   return clicked;
 }
 
+namespace {
+
+/// The text, or its beginning with an ellipsis, no wider than `width`.
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string out = text;
+  do {
+    // A sign of several bytes goes as a whole.
+    while (!out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0) == 0x80) out.pop_back();
+    if (!out.empty()) out.pop_back();
+  } while (!out.empty() && ImGui::CalcTextSize((out + "\u2026").c_str()).x > width);
+  return out + "\u2026";
+}
+
+}  // namespace
+
 bool beginChoice(const PanelContext& ui, const std::string& id, const std::string& label, bool changed) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(24) - ImGui::GetFontSize()))));
   ImGui::PushStyleColor(ImGuiCol_Text, changed ? ui.theme.accent : ui.theme.text);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::CalcItemWidth();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool open = ImGui::BeginCombo(("##" + id).c_str(), label.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), shortened(label, width - ui.px(30)).c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   drawIcon(list, Icon::chevron_down, {at.x + width - ui.px(13), at.y + ui.px(12)}, ui.px(9), ui.theme.dim);

@@ -87,6 +87,9 @@ void choose(const PanelContext& ui, const Line& line) {
   ui.state.mission.seen = mission.document.selected();
 }
 
+/// As scripts call it.
+std::string nameOf(const Line& line) { return std::string(kindName(line.ref.kind)) + ':' + line.name; }
+
 void drawLine(const PanelContext& ui, Line line) {
   MissionSession& mission = ui.session.mission();
   if (line.ref.kind == Kind::vehicle) {
@@ -96,7 +99,7 @@ void drawLine(const PanelContext& ui, Line line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(24);
   const bool chosen = mission.document.selected() == line.ref;
-  const std::string name = std::string(kindName(line.ref.kind)) + ':' + line.name;
+  const std::string name = nameOf(line);
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("##line", ImVec2(width, height));
   ui.item(name);
@@ -130,9 +133,10 @@ void drawLines(const PanelContext& ui, const std::string& title, const std::vect
   const ObjectRef& selected = ui.session.mission().document.selected();
   // A thousand vehicles are drawn only where they are seen; a newly selected one is scrolled to.
   const float top = ImGui::GetCursorPosY(), height = ui.px(24);
-  if (selected != my.seen)
+  const std::string& wanted = ui.items.wanted();
+  if (selected != my.seen || !wanted.empty())
     for (std::size_t i = 0; i < lines.size(); ++i)
-      if (lines[i].ref == selected) {
+      if (lines[i].ref == (selected != my.seen ? selected : ObjectRef{}) || nameOf(lines[i]) == wanted) {
         my.seen = selected;
         ImGui::SetScrollFromPosY(top - ImGui::GetScrollY() + (static_cast<float>(i) + 0.5f) * height, 0.5f);
         break;
