@@ -28,8 +28,9 @@ float lineCover(float at, float change, float pixels) {
 float nearLook(float distance_m, float rough) {
   vec2 at = v_place.xz * u_noise_scale.y;
   float coarse = texture(u_noise, u_noise_at.zw + at).r - 0.5, fine = texture(u_noise, fract(u_noise_at.zw * 13.0) + 13.0 * at).r - 0.5;
-  float pixel = distance_m * u_pixel;
-  return 1.0 + rough * (0.60 * coarse / (1.0 + 0.10 * pixel) + 1.10 * fine / (1.0 + 3.0 * pixel));
+  // A pixel at a grazing angle spans more ground.
+  float pixel = distance_m * u_pixel * clamp(distance_m / max(abs(v_place.y), 0.01), 1.0, 60.0);
+  return 1.0 + rough * (0.60 * coarse / (1.0 + 0.05 * pixel) + 1.10 * fine / (1.0 + 1.2 * pixel));
 }
 
 vec3 land(float distance_m, bool from_near) {
@@ -64,7 +65,9 @@ float contours(float distance_m) {
   float interval = u_lines.x;
   if (interval <= 0.0) interval = distance_m * u_pixel < 2.2 ? 10.0 : (distance_m * u_pixel < 9.0 ? 20.0 : 50.0);
   float at = v_ground / interval, change = fwidth(v_ground) / interval;
-  return max(0.55 * lineCover(at, change, 1.0), lineCover(0.2 * at, 0.2 * change, u_lines.w > 0.5 ? 1.8 : 1.3));
+  // A plain has no contours, even if it lies at a contour's height.
+  float sloping = smoothstep(2e-5, 2e-4, change);
+  return sloping * max(0.55 * lineCover(at, change, 1.0), lineCover(0.2 * at, 0.2 * change, u_lines.w > 0.5 ? 1.8 : 1.3));
 }
 
 float gridLines() {

@@ -108,6 +108,7 @@ class Lines {
       for (const auto& [target, step] : latestBeliefs(recording_.observers[o])) {
         const Vec3 ghost = onGround(recording_.terrain, step->believed_m.x, step->believed_m.z), truth = recording_.vehiclePlace(static_cast<std::size_t>(target), time_s_);
         const double apart = std::hypot(ghost.x - truth.x, ghost.z - truth.z);
+        if (recording_.vehicles[static_cast<std::size_t>(target)].destroyedAt(time_s_)) continue;
         // In his own eye a mark right on the target would only hide it.
         if (eye_.observer >= 0 && apart < 10.0) continue;
         const double strength = step->seen ? 0.85 : 0.45;

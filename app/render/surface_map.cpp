@@ -8,13 +8,18 @@
 namespace npsee::render {
 namespace {
 
-constexpr int kLeastSide = 256, kMostSide = 2048;
+/// Texels a side: as many as samples, but on coarse grids enough for what grows there.
+constexpr int kLeastSide = 256, kCoarseSide = 1024, kMostSide = 2048;
+constexpr double kPlants_m = 40.0;
 /// Side of the coarse grid that says what is valley and what is crest.
 constexpr int kCoarse = 192;
 
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255.0 + 0.5); }
 
-int sideOf(int samples) { return std::clamp(samples, kLeastSide, kMostSide); }
+int sideOf(int samples, double size_m) {
+  const int plants = std::clamp(static_cast<int>(std::min(size_m / kPlants_m, 1e6)), kLeastSide, kCoarseSide);
+  return std::clamp(samples, plants, kMostSide);
+}
 
 /// A quantity that changes slowly over the land, on a coarse grid; heights averaged widely tell valleys from crests.
 class Broad {
@@ -93,7 +98,7 @@ double landNoise(double x_m, double z_m, double cell_m, std::uint32_t salt) {
   return low + (high - low) * fz;
 }
 
-Look lookOf(const Place& place) {
+Look lookOf(const Place& place, bool coast) {
   constexpr Vec3 kGrass{0.128, 0.160, 0.056}, kMeadow{0.215, 0.222, 0.088}, kDry{0.270, 0.238, 0.128}, kForest{0.046, 0.076, 0.032}, kRock{0.225, 0.210, 0.190}, kSand{0.420, 0.365, 0.250};
   // The sun, the sky and the ground's own light: as in shaders/common.glsl.
   constexpr Vec3 kSun{-0.5263, 0.7105, 0.4671}, kSunLight{1.42, 1.32, 1.16}, kSkyLight{0.30, 0.35, 0.42}, kGroundLight{0.21, 0.19, 0.165};
@@ -102,11 +107,12 @@ Look lookOf(const Place& place) {
   const double wet = std::clamp(place.moisture + 0.20 * (fine - 0.5), 0.0, 1.0);
   Vec3 colour = mixed(kDry, kMeadow, smooth(0.15, 0.42, wet));
   colour = mixed(colour, kGrass, smooth(0.40, 0.60, wet));
-  const double forest = smooth(0.60, 0.66, wet + 0.25 * (fine - 0.5)) * smooth(0.12, 0.04, steep) * smooth(4.0, 14.0, place.height_m);
+  const double forest = smooth(0.60, 0.66, wet + 0.25 * (fine - 0.5)) * smooth(0.12, 0.04, steep) * (coast ? smooth(4.0, 14.0, place.height_m) : 1.0);
   colour = mixed(colour, kForest, forest);
   const double rock = smooth(0.055, 0.16, steep + 0.05 * (fine - 0.5));
   colour = mixed(colour, kRock, rock);
-  const double sand = 1.0 - smooth(1.2, 4.5, place.height_m + 1.6 * (fine - 0.5));
+  // A beach needs a sea: a plain at its level has none.
+  const double sand = coast ? 1.0 - smooth(1.2, 4.5, place.height_m + 1.6 * (fine - 0.5)) : 0.0;
   colour = mixed(colour, kSand, sand);
   colour = (0.90 + 0.24 * (fine - 0.5) + 0.14 * wet) * colour;
   // Slopes are mostly gentle: shading those steeper than they are shows the relief, as maps do.
@@ -148,9 +154,10 @@ std::vector<std::uint8_t> tilingNoise(int side, int cells, int octaves) {
 
 SurfaceMap surfaceMapOf(const HeightGrid& grid, int threads) {
   SurfaceMap map;
-  map.width = sideOf(grid.columns);
-  map.height = sideOf(grid.rows);
+  map.width = sideOf(grid.columns, (grid.columns - 1) * grid.cell_x_m);
+  map.height = sideOf(grid.rows, (grid.rows - 1) * grid.cell_z_m);
   map.texels.resize(4u * static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+  const bool coast = std::ranges::any_of(grid.heights, [&](float h) { return static_cast<double>(h) < grid.sea_m; });
   const auto shown = [&](double x, double z) { return std::max(grid.height(x, z), grid.sea_m); };
   const auto swells = [&](double x, double z) {
     const double x_m = x * grid.cell_x_m, z_m = z * grid.cell_z_m;
@@ -173,9 +180,9 @@ SurfaceMap surfaceMapOf(const HeightGrid& grid, int threads) {
       place.east = (grid.height(x + 0.5 * step_x, z) - grid.height(x - 0.5 * step_x, z)) / metre_x;
       place.south = (grid.height(x, z + 0.5 * step_z) - grid.height(x, z - 0.5 * step_z)) / metre_z;
       const double h = place.height_m + grid.sea_m;
-      place.moisture = 0.5 - 0.30 * (h - wide.at(u, v)) / relief + 0.10 * std::clamp(1.0 - place.height_m / 60.0, 0.0, 1.0) + 0.75 * (broad.at(u, v) - 0.5);
+      place.moisture = 0.5 - 0.30 * (h - wide.at(u, v)) / relief + (coast ? 0.10 * std::clamp(1.0 - place.height_m / 60.0, 0.0, 1.0) : 0.0) + 0.75 * (broad.at(u, v) - 0.5);
       place.open = std::clamp(0.96 + 0.22 * (h - near.at(u, v)) / relief, 0.55, 1.2);
-      const Look look = lookOf(place);
+      const Look look = lookOf(place, coast);
       texel[0] = byteOf(std::sqrt(look.light.x));
       texel[1] = byteOf(std::sqrt(look.light.y));
       texel[2] = byteOf(std::sqrt(look.light.z));

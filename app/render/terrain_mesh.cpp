@@ -96,8 +96,10 @@ class TerrainTree::Builder {
       for (int i = 0; i < kTileQuads && area.column + i < tree_.cells_x_; ++i) {
         const int c = area.column + i, r = area.row + j;
         const double nw = shown(c, r), ne = shown(c + 1, r), sw = shown(c, r + 1), se = shown(c + 1, r + 1);
-        low = std::min({low, nw, ne, sw, se});
-        high = std::max({high, nw, ne, sw, se});
+        for (const double bare : {grid_.at(c, r), grid_.at(c + 1, r), grid_.at(c, r + 1), grid_.at(c + 1, r + 1)}) {
+          low = std::min(low, bare);
+          high = std::max(high, bare);
+        }
         twist = std::max(twist, std::abs(nw + se - ne - sw));
       }
     // Two triangles differ from the bilinear cell most on the diagonal's middle, by a quarter of the twist.
@@ -119,6 +121,7 @@ TerrainTree TerrainTree::make(const HeightGrid& grid) {
   if (grid.columns < 2 || grid.rows < 2) return tree;
   tree.cell_x_m_ = grid.cell_x_m;
   tree.cell_z_m_ = grid.cell_z_m;
+  tree.sea_m_ = grid.sea_m;
   tree.cells_x_ = grid.columns - 1;
   tree.cells_z_ = grid.rows - 1;
   while ((kTileQuads << tree.root_.across) < tree.cells_x_) ++tree.root_.across;
@@ -150,8 +153,8 @@ bool TerrainTree::choose(const TerrainFrustum& frustum, std::int32_t index, cons
   if (index < 0) return true;
   const Node& node = nodes_[static_cast<std::size_t>(index)];
   const auto last = [](int first, int quads_log, int cells) { return std::min(first + (kTileQuads << quads_log), cells); };
-  const Vec3 low{area.column * cell_x_m_ - frustum.eye.x, static_cast<double>(node.low) - frustum.eye.y, area.row * cell_z_m_ - frustum.eye.z};
-  const Vec3 high{last(area.column, area.across, cells_x_) * cell_x_m_ - frustum.eye.x, static_cast<double>(node.high) - frustum.eye.y, last(area.row, area.down, cells_z_) * cell_z_m_ - frustum.eye.z};
+  const Vec3 low{area.column * cell_x_m_ - frustum.eye.x, std::max(static_cast<double>(node.low), sea_m_) - frustum.eye.y, area.row * cell_z_m_ - frustum.eye.z};
+  const Vec3 high{last(area.column, area.across, cells_x_) * cell_x_m_ - frustum.eye.x, std::max(static_cast<double>(node.high), sea_m_) - frustum.eye.y, last(area.row, area.down, cells_z_) * cell_z_m_ - frustum.eye.z};
   if (outside(frustum, low, high)) return true;
   const double distance = distanceTo(low, high);
   const TerrainTile tile{static_cast<double>(area.column), static_cast<double>(area.row), static_cast<double>(1 << area.across), static_cast<double>(1 << area.down),
@@ -176,8 +179,8 @@ bool TerrainTree::choose(const TerrainFrustum& frustum, std::int32_t index, cons
 bool TerrainTree::chooseWithin(const TerrainFrustum& frustum, const TerrainTile& tile, int depth, std::size_t limit, std::vector<TerrainTile>& out) const {
   const double east = std::min(tile.column + kTileQuads * tile.step_x, static_cast<double>(cells_x_)), south = std::min(tile.row + kTileQuads * tile.step_z, static_cast<double>(cells_z_));
   if (tile.column >= east || tile.row >= south) return true;
-  const Vec3 low{tile.column * cell_x_m_ - frustum.eye.x, tile.low_m - frustum.eye.y, tile.row * cell_z_m_ - frustum.eye.z};
-  const Vec3 high{east * cell_x_m_ - frustum.eye.x, tile.high_m - frustum.eye.y, south * cell_z_m_ - frustum.eye.z};
+  const Vec3 low{tile.column * cell_x_m_ - frustum.eye.x, std::max(tile.low_m, sea_m_) - frustum.eye.y, tile.row * cell_z_m_ - frustum.eye.z};
+  const Vec3 high{east * cell_x_m_ - frustum.eye.x, std::max(tile.high_m, sea_m_) - frustum.eye.y, south * cell_z_m_ - frustum.eye.z};
   if (outside(frustum, low, high)) return true;
   TerrainTile here = tile;
   here.distance_m = distanceTo(low, high);

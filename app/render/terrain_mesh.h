@@ -31,7 +31,7 @@ struct TerrainTile {
   double column = 0.0, row = 0.0;    ///< north-west corner, cells
   double step_x = 1.0, step_z = 1.0; ///< cells per quad
   double error_m = 0.0;              ///< bound of the height between these triangles and the simulator's surface
-  double low_m = 0.0, high_m = 0.0;  ///< heights within, the sea's bed left out
+  double low_m = 0.0, high_m = 0.0;  ///< heights of the ground within, under the sea too
   double distance_m = 0.0;           ///< from the eye to the tile's box
 };
 
@@ -71,7 +71,7 @@ class TerrainTree {
 
   std::vector<Node> nodes_;
   Area root_{};
-  double cell_x_m_ = 1.0, cell_z_m_ = 1.0;
+  double cell_x_m_ = 1.0, cell_z_m_ = 1.0, sea_m_ = 0.0;
   int cells_x_ = 0, cells_z_ = 0;
 };
 

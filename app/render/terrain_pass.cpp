@@ -111,7 +111,7 @@ void TerrainPass::uploadMesh(const TerrainModel& model, const TerrainFrustum& fr
   model.tree().select(frustum, kMostTiles, tiles_);
   // Each kind with its own shader, near ones first.
   const double far = kDetail_m / std::max(view.metre_per_pixel, 1e-9);
-  const auto kindOf = [&](const TerrainTile& tile) { return tile.low_m > grid.sea_m ? (tile.distance_m > far ? far_land : land) : tile.high_m <= grid.sea_m && !model.terrain().flat() ? sea : shore; };
+  const auto kindOf = [&](const TerrainTile& tile) { return tile.low_m >= grid.sea_m ? (tile.distance_m > far ? far_land : land) : tile.high_m < grid.sea_m ? sea : shore; };
   std::ranges::stable_sort(tiles_, {}, kindOf);
   ends_ = {};
   for (const TerrainTile& tile : tiles_)

@@ -324,5 +324,29 @@ TEST_F(Missions, FogHidesWhatIsFarAndNotWhatIsNear) {
   }
 }
 
+TEST_F(Missions, GroundAtTheSeasLevelIsLand) {
+  // The ridge's plain lies at 0 m, the level of the sea.
+  const test::HandRecording made([] {
+    TerrainSource source;
+    source.kind = TerrainKind::function;
+    source.expression = "ridge";
+    source.params = {{"crest_x", 2000.0}, {"crest_height", 50.0}, {"foot_before", 200.0}, {"foot_after", 200.0}};
+    return test::terrainOf(source, 4000.0);
+  }());
+  const Image image = draw(made.recording, 0.0, fromAbove({1000.0, 0.0, 2000.0}, 800.0));
+  for (int y = 10; y < 260; y += 50) EXPECT_GT(image.pixel(200, y)[0], image.pixel(200, y)[2]) << y;
+}
+
+TEST_F(Missions, APlainHasGridLinesAndNoContours) {
+  test::HandRecording made(test::terrainOf({}, 8000.0));
+  MissionView with = fromAbove({4000.0, 0.0, 4000.0}, 4000.0), without = with;
+  with.overlays.contours = true;
+  const Image lined = draw(made.recording, 0.0, with), plain = draw(made.recording, 0.0, without);
+  int marked = 0;
+  for (std::size_t i = 0; i < lined.rgba.size(); i += 4) marked += lined.rgba[i] != plain.rgba[i];
+  EXPECT_GT(marked, 500);
+  EXPECT_LT(marked, 480 * 270 / 10);
+}
+
 }  // namespace
 }  // namespace npsee::render
