@@ -93,7 +93,7 @@ const Struct& fdcTable() {
           field(&FdcSetup::table_step_m, {.key = "table_step", .doc = "Step of range of the solver table.", .hard = {1, 5000}, .unit = Unit::metre, .idle = idleIn<FdcSetup, withoutTable>}),
           field(&FdcSetup::lead, {.key = "lead", .doc = "Whether guns aim where a moving target will be when the shells land."}),
           field(&FdcSetup::absolute_relay, {.key = "absolute_relay", .doc = "As in 1993: lay again on where the target is now instead of correcting from the last burst."}),
-          field(&FdcSetup::sampled_visibility, {.key = "sampled_visibility", .doc = "As in 1993: line of sight by 100 samples of the ground, which narrow ridges slip through."}),
+          field(&FdcSetup::sampled_visibility, {.key = "sampled_visibility", .doc = "As in 1993: line of sight by at most 100 samples of the ground, 40 m apart or farther, between which narrow ridges slip through."}),
           field(&FdcSetup::misunderstanding, {.key = "misunderstanding", .doc = "Probability that a message is misheard (digits swapped, left for right, lost).", .hard = {0, 1}, .unit = Unit::fraction}),
           field(&FdcSetup::read_back, {.key = "read_back", .doc = "Probability that reading a misheard message back catches the fault.", .hard = {0, 1}, .unit = Unit::fraction, .idle = idleIn<FdcSetup, withoutMistakes>}),
           field(&FdcSetup::lay_error, {.key = "lay_error", .doc = "Probability that a gun is laid 10 or 100 mil off.", .hard = {0, 1}, .unit = Unit::fraction}),

@@ -1,5 +1,6 @@
 #include "sim/world/cell_walk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -74,9 +75,11 @@ bool Terrain::sees(const Vec3& eye, const Vec3& target) const {
   return clear;
 }
 
-bool Terrain::sightSampled(const Vec3& eye, const Vec3& target, int samples) const {
+bool Terrain::sightSampled(const Vec3& eye, const Vec3& target, int most) const {
   if (!usable(eye) || !usable(target)) return false;
   const Vec3 along = target - eye;
+  const double parts = std::ceil(std::sqrt(along.x * along.x + along.z * along.z) / kSampleSpacing_m);
+  const int samples = static_cast<int>(std::clamp(parts - 1.0, 0.0, static_cast<double>(std::max(0, most))));
   for (int i = 1; i <= samples; ++i) {
     const Vec3 p = eye + (static_cast<double>(i) / (samples + 1.0)) * along;
     if (height(p.x, p.z) > p.y) return false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 namespace npsee {
@@ -153,6 +154,64 @@ TEST(AcceptanceG, TheHundredSamplesOf1993DoNot) {
   const auto run = missionRun(acceptance("g_narrow_ridge"), {"--set", "fdc.sampled_visibility=true"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_FALSE(run.of("contact").empty());
+}
+
+/// Observers at seeded places west of the ridge, each with two targets straight east of him beyond it; all of it in one mission.
+class ManyLinesOverTheRidge {
+ public:
+  explicit ManyLinesOverTheRidge(double eye_height_m) {
+    std::mt19937 random(1993);
+    const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+    for (int i = 0; i < kLines / kTargets; ++i) {
+      // So far from the ridge, where a sample falls differs for his two lines as if by chance.
+      const double z = 1000.0 + 450.0 * i, before = between(1000.0, 2000.0);
+      const std::string id = std::to_string(i);
+      mission_["observers"].push_back({{"id", "fo" + id}, {"pos", {25000.0 - before, z}}, {"eye_height", eye_height_m}, {"missions", Json::array({{{"action", "destroy"}, {"type", 51}}})}});
+      for (int k = 0; k < kTargets; ++k) {
+        const double after = between(300.0, 1900.0), crossing = eye_height_m + (kTop_m - eye_height_m) * before / (before + after);
+        mission_["vehicles"].push_back({{"id", "t" + id + "-" + std::to_string(k)}, {"type", 51}, {"pos", {25000.0 + after, z}}});
+        // A sample meets the ridge by its breadth at the ray's height over the distance of the samples.
+        const double apart = (before + after) / std::ceil((before + after) / 40.0);
+        expected_ += 1.0 - 20.0 * (1.0 - crossing / 40.0) / apart;
+      }
+    }
+  }
+  static constexpr int kLines = 200, kTargets = 2;
+  /// Lines that slip through, by the formula.
+  double expected() const { return expected_; }
+  /// Lines along which the tool reports a contact.
+  int seen(bool by_samples) {
+    mission_["fdc"]["sampled_visibility"] = by_samples;
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "lines.mission.json";
+    test::spill(file, mission_.dump());
+    const auto run = missionRun(file);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    int count = 0;
+    for (const Json& contact : run.of("contact")) {
+      const std::string target = contact.at("target"), observer = contact.at("observer");
+      count += target.starts_with("t" + observer.substr(2) + "-") ? 1 : 0;
+    }
+    return count;
+  }
+
+ private:
+  static constexpr double kTop_m = 2.2;  // of a T-72
+  double expected_ = 0.0;
+  Json mission_ = Json::parse(R"({ "npsee_mission": 1, "duration": 0.05, "vehicles": [], "observers": [],
+    "world": { "terrain": { "kind": "function", "expr": "ridge", "params": { "crest_x": 25000, "crest_height": 40, "foot_before": 10, "foot_after": 10 } } } })");
+};
+
+TEST(AcceptanceG, FromTwoHundredPlacesTheExactTestNeverAndTheSampledOneUsuallySeesThrough) {
+  // Eyes at 2.5 m look through the ridge near its foot, about 19 of 40 m broad: a little more than half of the lines slip through. From
+  // posts of 30 m they cross it higher, where it is narrower: about three in four. Four standard deviations of a count are allowed.
+  for (const double eye_height_m : {2.5, 30.0}) {
+    ManyLinesOverTheRidge lines(eye_height_m);
+    const double share = lines.expected() / ManyLinesOverTheRidge::kLines;
+    EXPECT_GT(share, 0.5);
+    EXPECT_EQ(lines.seen(false), 0);
+    EXPECT_NEAR(lines.seen(true), lines.expected(), 4.0 * std::sqrt(share * (1.0 - share) * ManyLinesOverTheRidge::kLines)) << eye_height_m << " m";
+  }
 }
 
 // --- H: fog ------------------------------------------------------------------------------------------------------------------------

@@ -96,9 +96,16 @@ TEST(Sight, AlongGridLinesAndThroughCornersAgreesWithSampling) {
   }
 }
 
+/// Scenario G's ridge: 20 m wide at its foot, 40 m high.
+Terrain narrowRidge() {
+  return terrain(test::function("ridge", {{"crest_x", 25000}, {"crest_height", 40}, {"foot_before", 10}, {"foot_after", 10}}), 50000.0, 50000.0);
+}
+
+/// Breadth of that ridge along a ray that passes its crest at a height.
+double breadthAt(double height_m) { return 20.0 * (1.0 - height_m / 40.0); }
+
 TEST(Sight, ANarrowRidgeHidesWhatTheSampledTestSees) {
-  // Scenario G: 20 m wide, 40 m high; the thesis's 100 samples over 4 km are 40 m apart.
-  const Terrain ground = terrain(test::function("ridge", {{"crest_x", 25000}, {"crest_height", 40}, {"foot_before", 10}, {"foot_after", 10}}), 50000.0, 50000.0);
+  const Terrain ground = narrowRidge();
   EXPECT_LT(ground.heights().size(), 1'000'000u);
   Numbers random(19);
   int seen_by_samples = 0;
@@ -114,6 +121,44 @@ TEST(Sight, ANarrowRidgeHidesWhatTheSampledTestSees) {
     seen_by_samples += ground.sightSampled(eye, target) ? 1 : 0;
   }
   EXPECT_GT(seen_by_samples, 100);
+}
+
+TEST(Sight, SamplesMissARidgeByItsBreadthOverTheirSpacing) {
+  // Along a ray of random length the samples lie at random about the ridge, so one of them meets it with a chance of its breadth at the
+  // ray's height over the spacing, whatever the distance: level rays at heights from the foot to the crest.
+  const Terrain ground = narrowRidge();
+  for (const double height : {1.0, 2.5, 10.0, 20.0, 30.0, 39.0}) {
+    Numbers random(23);
+    int seen = 0;
+    constexpr int kRays = 4000;
+    double expected = 0.0;
+    for (int i = 0; i < kRays; ++i) {
+      const double before = random.between(300.0, 2000.0), after = random.between(300.0, 2000.0);
+      const Vec3 eye{25000.0 - before, height, 25000.0}, target{25000.0 + after, height, 25000.0};
+      seen += ground.sightSampled(eye, target) ? 1 : 0;
+      EXPECT_FALSE(ground.sees(eye, target));
+      expected += 1.0 - breadthAt(height) / ((before + after) / std::ceil((before + after) / 40.0));
+    }
+    // Four standard deviations of a count of 4,000.
+    EXPECT_NEAR(seen, expected, 4.0 * std::sqrt(0.25 * kRays)) << height;
+  }
+}
+
+TEST(Sight, TheSampledTestTakesNoMoreThanAHundredPlacesFortyMetresApart) {
+  // A wall 1 m wide, met by a sample only where one is.
+  const auto met = [](double wall, double distance) {
+    const Terrain ground = terrain(test::function("ridge", {{"crest_x", wall}, {"crest_height", 40}, {"foot_before", 0.5}, {"foot_after", 0.5}}), 12000.0, 1000.0);
+    return !ground.sightSampled({0.0, 2.0, 500.0}, {distance, 2.0, 500.0});
+  };
+  EXPECT_TRUE(met(400.0, 2000.0));
+  EXPECT_FALSE(met(420.0, 2000.0));
+  EXPECT_TRUE(met(400.0, 4000.0));
+  EXPECT_FALSE(met(420.0, 4000.0));
+  // A hundred places cut 10.1 km into 101 pieces of 100 m.
+  EXPECT_TRUE(met(1000.0, 10100.0));
+  EXPECT_FALSE(met(1040.0, 10100.0));
+  // Nothing lies between nearer ones.
+  EXPECT_FALSE(met(20.0, 40.0));
 }
 
 TEST(Sight, AnEyeOrATargetBelowTheGroundIsBlocked) {

@@ -118,8 +118,11 @@ class Terrain final : public Ground {
   /// `sight(eye, target).clear`, quicker: it ends at the first obstacle.
   bool sees(const Vec3& eye, const Vec3& target) const;
 
-  /// The thesis's test: `samples` points evenly along the ray. Misses what stands between them; kept as the legacy mode.
-  bool sightSampled(const Vec3& eye, const Vec3& target, int samples = 100) const;
+  /// The thesis's test, kept as the legacy mode: "at no more than one hundred locations", evenly along the ray and kSampleSpacing_m apart, or
+  /// farther where a hundred would not reach. What is narrower along the ray than that may slip through.
+  bool sightSampled(const Vec3& eye, const Vec3& target, int most = 100) const;
+  /// A hundred locations on the thesis's greatest distance of sight, 4 km: "features of less than forty meters breadth".
+  static constexpr double kSampleSpacing_m = 40.0;
 
   /// The ground at n >= 2 points evenly from a to b, ends included (at most a million points).
   std::vector<ProfilePoint> profile(const Vec3& a, const Vec3& b, int n) const;
