@@ -126,6 +126,7 @@ namespace npsee {
 
 struct Mission::State {
   Recording rec;
+  MissionLimits limits;
   Weapons weapons;
   std::vector<VehicleType> types;
   std::optional<world::Vehicles> vehicles;
@@ -146,6 +147,7 @@ struct Mission::State {
 
   Expected<void> setUp(const Scenario& scenario);
   void step();
+  void keepLimits();
   void finish();
 
   // engine_setup.cpp

@@ -29,8 +29,9 @@ Mission::~Mission() = default;
 Mission::Mission(Mission&&) noexcept = default;
 Mission& Mission::operator=(Mission&&) noexcept = default;
 
-Expected<Mission> Mission::make(const Scenario& scenario) {
+Expected<Mission> Mission::make(const Scenario& scenario, const MissionLimits& limits) {
   auto state = std::make_unique<State>();
+  state->limits = limits;
   if (auto done = state->setUp(scenario); !done) return tl::unexpected(done.error());
   return Mission(std::move(state));
 }
@@ -73,9 +74,22 @@ void Mission::State::step() {
   if (!failed) think();
   if (!failed) direct();
   if (!failed) fireGuns();
+  if (!failed) keepLimits();
   rec.duration_s = now_s;
   ++tick;
   if (failed) finish();
+}
+
+void Mission::State::keepLimits() {
+  const auto within = [&](std::size_t count, std::size_t most, const std::string& what, const std::string& remedy) {
+    if (count > most && !failed) fail("The mission ends here: its recording would hold more than " + std::to_string(most) + " " + what + ". " + remedy);
+  };
+  within(vehicles->legs(), limits.legs, "legs of vehicles", "Shorten its duration, or let fewer vehicles drive.");
+  within(rec.shells.size(), limits.shells, "shells", "Shorten its duration, or give the guns fewer rounds.");
+  within(rec.events.size(), limits.events, "events", "Shorten its duration, or take fewer observers and vehicles.");
+  std::size_t beliefs = 0;
+  for (const ObserverRecord& observer : rec.observers) beliefs += observer.beliefs.size();
+  within(beliefs, limits.beliefs, "beliefs of observers", "Shorten its duration, or take fewer observers and vehicles.");
 }
 
 void Mission::State::finish() {
@@ -86,8 +100,8 @@ void Mission::State::finish() {
   rec.finished = true;
 }
 
-Expected<Recording> runMission(const Scenario& scenario, std::optional<double> until_s, const std::vector<MissionCommand>& commands) {
-  auto mission = Mission::make(scenario);
+Expected<Recording> runMission(const Scenario& scenario, std::optional<double> until_s, const std::vector<MissionCommand>& commands, const MissionLimits& limits) {
+  auto mission = Mission::make(scenario, limits);
   if (!mission) return tl::unexpected(mission.error());
   for (const MissionCommand& command : commands) mission->command(command);
   mission->advance(until_s.value_or(scenario.duration_s));

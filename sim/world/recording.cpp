@@ -15,6 +15,9 @@ constexpr double kStraight_radps = 1e-8;
 /// No shell is longer on its way than the integrator flies it (Integration::time_limit_s), and direct fire is faster.
 constexpr double kLongestFlight_s = 2000.0;
 
+/// A track's index has at most this many entries for each leg, and a few besides: long rests then cost no memory, and few legs lie in a step.
+constexpr double kEntriesPerLeg = 4.0, kEntries = 64.0;
+
 /// Difference of two azimuths the shorter way round, in [-pi, pi].
 double turnBetween(double from_rad, double to_rad) {
   const double turn = to_rad - from_rad;
@@ -53,7 +56,7 @@ Pose poseOn(const Leg& leg, double time_s) {
 Pose Track::at(double time_s) const {
   if (legs.empty()) return {};
   std::size_t i = 0;
-  if (!index.empty() && time_s > 0.0) i = index[static_cast<std::size_t>(std::min(time_s / kIndexStep_s, static_cast<double>(index.size() - 1)))];
+  if (!index.empty() && time_s > 0.0) i = index[static_cast<std::size_t>(std::min(time_s / index_step_s, static_cast<double>(index.size() - 1)))];
   while (i + 1 < legs.size() && legs[i + 1].start_s <= time_s) ++i;
   return poseOn(legs[i], time_s);
 }
@@ -63,7 +66,12 @@ void Track::add(const Leg& leg) {
   while (!legs.empty() && legs.back().start_s >= leg.start_s) legs.pop_back();
   // Whole steps before the new leg belong to the one before it; from its start on, times are scanned to it.
   const auto before = static_cast<std::uint32_t>(legs.empty() ? 0 : legs.size() - 1);
-  index.resize(leg.start_s > 0.0 ? static_cast<std::size_t>(std::ceil(leg.start_s / kIndexStep_s)) : 0, before);
+  while (leg.start_s / index_step_s > kEntriesPerLeg * static_cast<double>(legs.size()) + kEntries) {
+    index_step_s *= 2.0;
+    for (std::size_t i = 0; 2 * i < index.size(); ++i) index[i] = index[2 * i];
+    index.resize((index.size() + 1) / 2);
+  }
+  index.resize(leg.start_s > 0.0 ? static_cast<std::size_t>(std::ceil(leg.start_s / index_step_s)) : 0, before);
   legs.push_back(leg);
 }
 

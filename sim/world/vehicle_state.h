@@ -49,6 +49,7 @@ struct Vehicles::State {
   std::vector<VehicleRecord>* records = nullptr;
   std::vector<Driver> drivers;
   std::vector<double> x, z, speed, heading;
+  std::size_t legs = 0;             ///< added to the records
 
   State(const Terrain& terrain, std::int64_t seed_of_mission) : seed(seed_of_mission), passable(terrain), router(passable) {}
 

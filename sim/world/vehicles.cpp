@@ -27,6 +27,7 @@ void Vehicles::State::start(std::size_t v, std::int64_t tick, const Move& move) 
   if (level && leg.speed_mps == driver.leg.speed_mps && !(*records)[v].track.legs.empty()) return;
   driver.leg = leg;
   (*records)[v].track.add(leg);
+  ++legs;
 }
 
 void Vehicles::State::follow(std::size_t v, std::int64_t tick, const Manoeuvre& plan) {
@@ -94,6 +95,7 @@ void Vehicles::step(std::int64_t tick) {
 const std::vector<double>& Vehicles::x() const { return state_->x; }
 const std::vector<double>& Vehicles::z() const { return state_->z; }
 const std::vector<double>& Vehicles::speed() const { return state_->speed; }
+std::size_t Vehicles::legs() const { return state_->legs; }
 
 Vec3 Vehicles::velocity(std::size_t vehicle) const {
   // A pose one second on along a straight line is the velocity, without a second way to write sine and cosine.

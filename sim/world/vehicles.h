@@ -26,6 +26,8 @@ class Vehicles {
   /// Poses at the last step, structure of arrays, for sensing and impacts.
   const std::vector<double>& x() const; const std::vector<double>& z() const; const std::vector<double>& speed() const;
   Vec3 velocity(std::size_t vehicle) const;
+  /// Legs written to the records so far, for the mission's limit.
+  std::size_t legs() const;
 
   /// The vehicle notices fire (burst within a weapon's knowledge radius, or it was shot at) from a place; reacts by its setup.
   /// Returns true if it wants to shoot back at `from` (return fire), which the mission then does.

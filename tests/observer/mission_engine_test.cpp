@@ -33,6 +33,39 @@ Recording ran(const Scenario& scenario, const std::vector<MissionCommand>& comma
   return recording ? std::move(*recording) : Recording{};
 }
 
+/// The duel, and a hundred vehicles that wander about.
+Scenario busyDuel() {
+  Scenario sc = duel();
+  sc.groups.push_back({.id = "g", .type = 52, .count = 100, .from = {11000, 9000}, .to = {14000, 11000}});
+  return sc;
+}
+
+TEST(MissionEngine, ARecordingBeyondALimitEndsWithAnErrorThatNamesIt) {
+  const auto endOf = [](const MissionLimits& limits) {
+    const auto recording = runMission(busyDuel(), {}, {}, limits);
+    EXPECT_TRUE(recording && recording->finished);
+    if (!recording) return std::string();
+    // The error stands right before the end, at the time at which the mission stopped.
+    const MissionEvent& error = recording->events[recording->events.size() - 2];
+    EXPECT_EQ(error.kind, EventKind::error) << eventLog(*recording);
+    EXPECT_EQ(error.t_s, recording->duration_s);
+    EXPECT_LT(recording->duration_s, 300.0);
+    return error.text("text");
+  };
+  EXPECT_EQ(endOf({.legs = 500}), "The mission ends here: its recording would hold more than 500 legs of vehicles. Shorten its duration, or let fewer vehicles drive.");
+  EXPECT_EQ(endOf({.shells = 2}), "The mission ends here: its recording would hold more than 2 shells. Shorten its duration, or give the guns fewer rounds.");
+  EXPECT_EQ(endOf({.events = 40}), "The mission ends here: its recording would hold more than 40 events. Shorten its duration, or take fewer observers and vehicles.");
+  EXPECT_EQ(endOf({.beliefs = 200}), "The mission ends here: its recording would hold more than 200 beliefs of observers. Shorten its duration, or take fewer observers and vehicles.");
+}
+
+TEST(MissionEngine, ALimitStopsAtTheSameTickAndChangesNothingBefore) {
+  const auto whole = runMission(busyDuel()), cut = runMission(busyDuel(), {}, {}, {.legs = 500}), again = runMission(busyDuel(), {}, {}, {.legs = 500});
+  ASSERT_TRUE(whole && cut && again);
+  EXPECT_EQ(cut->hash, again->hash);
+  ASSERT_GT(cut->events.size(), 2u);
+  for (std::size_t i = 0; i + 2 < cut->events.size(); ++i) EXPECT_EQ(cut->events[i], whole->events[i]) << i;
+}
+
 TEST(MissionEngine, AStaticTargetInPlainSightIsFoundFiredAtAndDestroyed) {
   const Recording recording = ran(duel());
   ASSERT_FALSE(eventsOf(recording, EventKind::contact).empty());

@@ -50,7 +50,7 @@ TEST(Track, FindsTheLegOfAnyTimeAsASearchThroughAllWould) {
     track.add(leg);
     legs.push_back(leg);
     // Some legs last a tick, some a minute, some begin on a whole step of the index.
-    start += i % 7 == 0 ? 60.0 : i % 3 == 0 ? 0.05 : i % 5 == 0 ? Track::kIndexStep_s : 1.3;
+    start += i % 7 == 0 ? 60.0 : i % 3 == 0 ? 0.05 : i % 5 == 0 ? Track{}.index_step_s : 1.3;
   }
   for (double t = -5.0; t < start + 50.0; t += 0.37) {
     std::size_t i = 0;
@@ -58,6 +58,21 @@ TEST(Track, FindsTheLegOfAnyTimeAsASearchThroughAllWould) {
     ASSERT_EQ(track.at(t).x_m, static_cast<double>(i)) << t;
   }
   for (const Leg& leg : legs) EXPECT_EQ(track.at(leg.start_s).x_m, leg.x_m);
+}
+
+TEST(Track, TheIndexOfLongRestsStaysShortAndFindsEveryLeg) {
+  // A burst of legs, a day's rest, another burst, and so on: an entry every 4 s would be 20,000 entries a day.
+  Track track;
+  std::vector<double> starts;
+  double start = 0.0;
+  for (int day = 0; day < 5; ++day, start += 86400.0)
+    for (int i = 0; i < 20; ++i, start += i % 3 == 0 ? 0.05 : 7.0) {
+      track.add({start, static_cast<double>(starts.size()), 0.0, 0.0, 0.0, 0.0, 0.0});
+      starts.push_back(start);
+    }
+  EXPECT_LT(track.index.size(), 4 * track.legs.size() + 65);
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    for (const double t : {starts[i], 0.5 * (starts[i] + (i + 1 < starts.size() ? starts[i + 1] : start))}) EXPECT_EQ(track.at(t).x_m, static_cast<double>(i)) << t;
 }
 
 TEST(Track, ANewLegReplacesWhatWasPlannedFromItsStartOn) {

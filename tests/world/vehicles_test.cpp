@@ -131,6 +131,16 @@ TEST(Vehicles, LegsJoinAndKeepToTheTypesLimits) {
     }
 }
 
+TEST(Vehicles, LegsAreCountedForTheMissionsLimit) {
+  Convoy convoy(meanderers(30, 4, 8000.0), flatTerrain(8000.0));
+  convoy.runTo(600.0);
+  std::size_t legs = 0;
+  for (const VehicleRecord& record : convoy.records()) legs += record.track.legs.size();
+  // Besides the first leg of each; one that replaces another at the same moment counts all the same.
+  EXPECT_GE(convoy.vehicles().legs() + 30, legs);
+  EXPECT_LE(convoy.vehicles().legs(), legs + 30);
+}
+
 TEST(Vehicles, GoalsAreReachedInTurnAndTheLastIsWhereItStops) {
   VehicleSetup driver = vehicle("g", {1000, 1000}, Behaviour::goals, 12.0);
   driver.goals = {{3000, 1000}, {3000, 3000}, {1000, 3000}};

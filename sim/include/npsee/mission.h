@@ -2,6 +2,7 @@
 
 #include <npsee/recording.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -32,12 +33,21 @@ struct MissionCommand {
   friend bool operator==(const MissionCommand&, const MissionCommand&) = default;
 };
 
+/// What the recording of a mission may hold. A mission that would need more ends there with an `error` event that names the limit; so memory is
+/// bounded, to some 2 GB with the defaults, and the same limits give the same log.
+struct MissionLimits {
+  std::size_t legs = 8'000'000;    ///< of all vehicles, about 70 bytes each; a meandering vehicle drives some 7,000 a day
+  std::size_t shells = 100'000;    ///< fired, some kB each
+  std::size_t events = 1'000'000;  ///< in the log, about 0.5 kB each
+  std::size_t beliefs = 8'000'000; ///< of all observers, about 80 bytes each
+};
+
 /// Simulates a mission in ticks of kMissionTick_s. Same scenario, seed and commands: same log and same recording, bit for bit.
 class Mission {
  public:
   /// Reads what the scenario names (weapons, facts, rules, terrain) and sets everything up. Error kind input: any of them is
   /// broken; then nothing is simulated.
-  static Expected<Mission> make(const Scenario& scenario);
+  static Expected<Mission> make(const Scenario& scenario, const MissionLimits& limits = {});
   ~Mission();
   Mission(Mission&&) noexcept;
   Mission& operator=(Mission&&) noexcept;
@@ -60,7 +70,7 @@ class Mission {
 };
 
 /// Simulates a whole mission.
-Expected<Recording> runMission(const Scenario& scenario, std::optional<double> until_s = {}, const std::vector<MissionCommand>& commands = {});
+Expected<Recording> runMission(const Scenario& scenario, std::optional<double> until_s = {}, const std::vector<MissionCommand>& commands = {}, const MissionLimits& limits = {});
 
 /// The clauses of the scenario's `expect` that the log does not meet, as sentences naming file line and clause. Empty = all met.
 std::vector<std::string> unmetExpectations(const Recording& recording);

@@ -64,8 +64,8 @@ Pose poseOn(const Leg& leg, double time_s);
 
 struct Track {
   std::vector<Leg> legs;            ///< at least one, by start
-  std::vector<std::uint32_t> index; ///< leg at every whole kIndexStep_s: seek in constant time
-  static constexpr double kIndexStep_s = 4.0;
+  std::vector<std::uint32_t> index; ///< leg at every whole index_step_s: seek in constant time
+  double index_step_s = 4.0;        ///< doubled where it would give many more entries than legs
   Pose at(double time_s) const;
   void add(const Leg& leg);         ///< replaces a leg of the same start
   friend bool operator==(const Track&, const Track&) = default;
