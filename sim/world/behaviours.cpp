@@ -13,6 +13,9 @@ constexpr double kPiece_s = 20.0;
 /// A corner is passed within this, a goal is reached within this, and counts as reached where the way is barred, m.
 constexpr double kCorner_m = 12.0, kReached_m = 3.0, kBarredNear_m = 80.0;
 constexpr int kMostBarred = 4;
+/// Where others are in the way, a driver looks again after this time, s, and gives a goal up after so many times without coming this much nearer, m.
+constexpr double kWait_s = 2.0, kOnward_m = 100.0;
+constexpr int kMostWaits = 15;
 
 double distanceTo(const Pose& pose, const Place& place) {
   const double dx = place.x_m - pose.x_m, dz = place.z_m - pose.z_m;
@@ -38,19 +41,36 @@ void Vehicles::State::head(std::size_t v, std::int64_t tick, const Wish& wish, d
   const Pose pose = poseAt(v, tick);
   Manoeuvre best(pose);
   double widest = -1.0;
+  bool crowded = false;
   for (int i = 0; i <= 18; ++i) {
     const double offset = 20.0 * kDegree * ((i + 1) / 2) * ((i % 2 == 0) == left_first ? -1.0 : 1.0);
     Wish tried = wish;
     tried.heading_rad = wrapped(wish.heading_rad + offset);
     Manoeuvre moves(pose);
     const double free = plan(passable, driver.medium, tried, moves);
-    if (free >= std::min(enough_m, wish.length_m)) return follow(v, tick, moves);
-    if (free <= widest) continue;
+    const bool enough = free >= std::min(enough_m, wish.length_m);
+    if (!enough && free <= widest) continue;
+    if (!clearOfOthers(v, tick, moves)) {
+      crowded = true;
+      continue;
+    }
+    if (enough) return follow(v, tick, moves);
     widest = free;
     best = moves;
   }
   if (widest >= kLeast_m) return follow(v, tick, best);
+  if (crowded) return keepClear(v, tick);
   breakOut(v, tick, wish.heading_rad);
+}
+
+/// Others leave no way that is wanted: straight on for a moment, which they have reckoned with, or else brakes.
+void Vehicles::State::keepClear(std::size_t v, std::int64_t tick) {
+  const Pose pose = poseAt(v, tick);
+  Manoeuvre on(pose);
+  on.keepFor(kWait_s);
+  const double length = pose.speed_mps * kWait_s + brakingDistance(pose.speed_mps);
+  if (pose.speed_mps > kStanding_mps && passable.freeLength(drivers[v].medium, pose, 0.0, length) >= length && clearOfOthers(v, tick, on)) return follow(v, tick, on);
+  stand(v, tick, kWait_s);
 }
 
 /// In a tight corner: stops, turns on the spot to where there is most room, and goes on slowly.
@@ -64,7 +84,7 @@ void Vehicles::State::breakOut(std::size_t v, std::int64_t tick, double heading_
   for (int i = 0; i < 16; ++i) {
     Manoeuvre moves(pose);
     const double free = plan(passable, driver.medium, {heading_rad + i * kTwoPi / 16.0, std::min(driver.wished_mps, 3.0), kEnough_m, driver.turn_radps}, moves);
-    if (free <= widest) continue;
+    if (free <= widest || !clearOfOthers(v, tick, moves)) continue;
     widest = free;
     best = moves;
   }
@@ -84,6 +104,7 @@ void Vehicles::State::keepStraight(std::size_t v, std::int64_t tick) {
   if (free < brake + driver.wished_mps) return stand(v, tick);
   if (moves.count == 0) moves.keepFor(std::max(0.1, std::min(run, free - brake) / driver.wished_mps));
   follow(v, tick, moves);
+  makeWay(v, tick);
 }
 
 void Vehicles::State::meander(std::size_t v, std::int64_t tick) {
@@ -100,20 +121,25 @@ void Vehicles::State::meander(std::size_t v, std::int64_t tick) {
   head(v, tick, wish, kEnough_m, u[0] < 0.5);
 }
 
-/// Moves towards a place; false when the way is barred.
-bool Vehicles::State::approach(std::size_t v, std::int64_t tick, const Place& place, bool stop) {
+/// Moves towards a place, or says why not.
+Vehicles::State::Way Vehicles::State::approach(std::size_t v, std::int64_t tick, const Place& place, bool stop) {
   const Driver& driver = drivers[v];
   const Pose pose = poseAt(v, tick);
   const double distance = distanceTo(pose, place);
   Manoeuvre moves(pose);
+  const auto followed = [&] {
+    if (!clearOfOthers(v, tick, moves)) return Way::crowded;
+    follow(v, tick, moves);
+    return Way::free;
+  };
   // What lies within the turning circle is reached only more slowly.
   const double off = std::fabs(wrapped(azimuthTo(pose, place) - pose.heading_rad));
   if (pose.speed_mps > kStanding_mps && off > 0.2 && distance < 2.5 * pose.speed_mps / driver.turn_radps) {
     const double slower = distance * driver.turn_radps / 3.0;
     moves.speedTo(slower < 1.0 ? 0.0 : slower, kBrake_mps2);
     const double length = distanceTo(pose, {moves.end.x_m, moves.end.z_m});
-    if (moves.count > 0 && passable.freeLength(driver.medium, pose, 0.0, length) < length) return false;
-    if (moves.count > 0) return follow(v, tick, moves), true;
+    if (moves.count > 0 && passable.freeLength(driver.medium, pose, 0.0, length) < length) return Way::barred;
+    if (moves.count > 0) return followed();
   }
   // After the turn the place shall lie straight ahead: where the turn ends depends on how far it goes.
   double heading_to = azimuthTo(pose, place);
@@ -128,14 +154,14 @@ bool Vehicles::State::approach(std::size_t v, std::int64_t tick, const Place& pl
   if (stop && turned.count == 0 && v0 > kStanding_mps && rest <= 1.02 * brakingDistance(v0) + v0 * kMissionTick_s) {
     const std::int64_t ticks = ticksFor(2.0 * rest / v0);
     moves.add({v0, -v0 / (static_cast<double>(ticks) * kMissionTick_s), 0.0, ticks});
-    return follow(v, tick, moves), true;
+    return followed();
   }
   Wish wish{heading_to, speedOn(v, turned.end, heading_to, std::min(rest, 200.0)), 0.0, 0.8 * driver.turn_radps};
   // To stop there: v^2 / 2a + v^2 / 2b of way is needed from a stand.
   if (stop) wish.speed_mps = std::min(wish.speed_mps, std::max(std::sqrt(2.0 * rest / (1.0 / kAccelerate_mps2 + 1.0 / kBrake_mps2)), std::min(v0, std::sqrt(2.0 * kBrake_mps2 * rest))));
   wish.length_m = std::min(std::max(wish.speed_mps, 1.0) * kPiece_s, rest - (stop ? brakingDistance(std::max(wish.speed_mps, v0)) : 0.0));
   if (wish.length_m <= 0.0) wish.length_m = 0.5 * rest;
-  return plan(passable, driver.medium, wish, moves) >= std::min(wish.length_m, kLeast_m) - 1e-6 ? (follow(v, tick, moves), true) : false;
+  return plan(passable, driver.medium, wish, moves) >= std::min(wish.length_m, kLeast_m) - 1e-6 ? followed() : Way::barred;
 }
 
 void Vehicles::State::driveToGoals(std::size_t v, std::int64_t tick) {
@@ -161,13 +187,21 @@ void Vehicles::State::driveToGoals(std::size_t v, std::int64_t tick) {
     }
     if (!reached) {
       const bool to_goal = driver.corner + 1 == driver.route.size();
-      if (approach(v, tick, driver.route[driver.corner], to_goal && last)) return;
+      const Way way = approach(v, tick, driver.route[driver.corner], to_goal && last);
+      if (way == Way::free) return;
+      // Around who is in the way, or after him.
+      if (driver.waited == 0 || far < driver.waited_m - kOnward_m) {
+        driver.waited = 0;
+        driver.waited_m = far;
+      }
+      if (way == Way::crowded && ++driver.waited <= kMostWaits) return head(v, tick, {azimuthTo(pose, driver.route[driver.corner]), driver.wished_mps, 60.0, driver.turn_radps}, 30.0, driver.waited % 2 == 0);
       driver.route.clear();
+      driver.waited = 0;
       reached = far <= kBarredNear_m || ++driver.barred > kMostBarred;
       if (!reached) return head(v, tick, {azimuthTo(pose, goal), driver.wished_mps, 60.0, driver.turn_radps}, 30.0, driver.barred % 2 == 0);
     }
     driver.route.clear();
-    driver.barred = 0;
+    driver.barred = driver.waited = 0;
     ++driver.goal;
   }
   stand(v, tick, 30.0);

@@ -96,6 +96,7 @@ void Vehicles::State::followLeader(std::size_t v, std::int64_t tick) {
   if (!free) return breakOut(v, tick, wrapped(pose.heading_rad + off));
   driver.planned = driver.next_move = 0;
   start(v, tick, move);
+  makeWay(v, tick);
 }
 
 void Vehicles::State::obeyPerson(std::size_t v, std::int64_t tick) {
@@ -118,6 +119,7 @@ void Vehicles::State::obeyPerson(std::size_t v, std::int64_t tick) {
     }
   }
   start(v, tick, move);
+  makeWay(v, tick);
 }
 
 void Vehicles::State::retire(std::size_t v, std::int64_t tick, const Place& from) {
@@ -143,8 +145,9 @@ void Vehicles::State::retire(std::size_t v, std::int64_t tick, const Place& from
     best = moves;
   }
   driver.retiring = true;
-  if (best.count > 0) return follow(v, tick, best);
-  breakOut(v, tick, away);
+  if (best.count == 0) return breakOut(v, tick, away);
+  follow(v, tick, best);
+  makeWay(v, tick);
 }
 
 }  // namespace npsee::world

@@ -35,8 +35,8 @@ void Vehicles::State::follow(std::size_t v, std::int64_t tick, const Manoeuvre& 
   driver.moves = plan.moves;
   driver.planned = plan.count;
   driver.next_move = 0;
-  if (plan.count > 0) start(v, tick, driver.moves[static_cast<std::size_t>(driver.next_move++)]);
-  else stand(v, tick, 1.0);
+  if (plan.count == 0) return stand(v, tick, 1.0);
+  start(v, tick, driver.moves[static_cast<std::size_t>(driver.next_move++)]);
 }
 
 void Vehicles::State::stand(std::size_t v, std::int64_t tick, double again_s) {
@@ -54,6 +54,7 @@ void Vehicles::State::stand(std::size_t v, std::int64_t tick, double again_s) {
   moves.speedTo(0.0, brake);
   start(v, tick, moves.moves[0]);
   if (again != kNever) driver.due = std::max(driver.due, again);
+  makeWay(v, tick);
 }
 
 void Vehicles::State::decide(std::size_t v, std::int64_t tick) {
@@ -125,8 +126,9 @@ void Vehicles::immobilise(std::size_t vehicle, std::int64_t tick) {
   driver.planned = driver.next_move = 0;
   Manoeuvre moves(state_->poseAt(vehicle, tick));
   moves.speedTo(0.0, kHardBrake_mps2);
-  if (moves.count > 0) state_->start(vehicle, tick, moves.moves[0]);
-  else state_->stand(vehicle, tick);
+  if (moves.count == 0) return state_->stand(vehicle, tick);
+  state_->start(vehicle, tick, moves.moves[0]);
+  state_->makeWay(vehicle, tick);
 }
 
 void Vehicles::drive(std::size_t vehicle, std::int64_t tick, double speed_mps, double turn_radps) {

@@ -4,12 +4,15 @@
 #include <npsee/units.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace npsee::world {
 namespace {
 
-/// Places tried for each vehicle of a group.
-constexpr std::uint32_t kTries = 500;
+/// A follower brakes later than the vehicle ahead by up to this, s.
+constexpr double kLate_s = 0.6;
+/// Places tried for each vehicle of a group, and how many of them must keep apart from the vehicles before it.
+constexpr std::uint32_t kTries = 500, kTriesApart = 50;
 
 std::string shownPlace(const Place& place) { return "(" + shortest(place.x_m) + ", " + shortest(place.z_m) + ")"; }
 
@@ -45,6 +48,7 @@ void Vehicles::State::addVehicle(const std::string& id, const VehicleType& type,
   driver.goals = setup.goals;
   driver.repeat = setup.repeat_goals;
   driver.gap_m = std::max(1.0, setup.gap_m);
+  driver.radius_m = 0.5 * std::sqrt(type.length_m * type.length_m + type.width_m * type.width_m);
   // Those that drive by themselves are already under way.
   const bool moves = setup.behaviour == Behaviour::straight || setup.behaviour == Behaviour::meander || (setup.behaviour == Behaviour::goals && !setup.goals.empty());
   const double speed_now = moves ? driver.wished_mps : 0.0;
@@ -58,6 +62,15 @@ void Vehicles::State::addVehicle(const std::string& id, const VehicleType& type,
   record.type = type;
   record.track.add(driver.leg);
   drivers.push_back(std::move(driver));
+}
+
+bool Vehicles::State::occupied(const Place& place, const VehicleType& type) const {
+  const double radius = 0.5 * std::sqrt(type.length_m * type.length_m + type.width_m * type.width_m);
+  for (std::size_t v = 0; v < drivers.size(); ++v) {
+    const double dx = x[v] - place.x_m, dz = z[v] - place.z_m, apart = radius + drivers[v].radius_m + kBetween_m;
+    if (dx * dx + dz * dz < apart * apart) return true;
+  }
+  return false;
 }
 
 Expected<void> Vehicles::State::addGroup(const Scenario& scenario, std::size_t group, const VehicleType& type) {
@@ -77,6 +90,7 @@ Expected<void> Vehicles::State::addGroup(const Scenario& scenario, std::size_t g
       vehicle.speed_mps = between(setup.speed_min_mps, setup.speed_max_mps, u[3]);
       // In the last tries any land will do, steep or narrow.
       placed = attempt < kTries / 2 ? passable.good(medium, vehicle.at.x_m, vehicle.at.z_m) : passable.allowed(medium, vehicle.at.x_m, vehicle.at.z_m);
+      if (attempt < kTriesApart) placed = placed && !occupied(vehicle.at, type);
     }
     if (!placed)
       return refused("Group " + setup.id + " finds no " + (medium == Medium::water ? "water" : "land") + " between " + shownPlace(setup.from) + " and " + shownPlace(setup.to) + ".",
@@ -117,7 +131,10 @@ Expected<void> Vehicles::State::fill(const Scenario& scenario) {
   if (!faults.faults.empty()) return tl::unexpected<Error>(std::move(faults));
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
     const auto leader = std::find_if(records->begin(), records->end(), [&](const VehicleRecord& record) { return record.id == scenario.vehicles[i].follows; });
-    if (scenario.vehicles[i].behaviour == Behaviour::follow && leader != records->end()) drivers[i].leader = static_cast<int>(leader - records->begin());
+    if (scenario.vehicles[i].behaviour != Behaviour::follow || leader == records->end()) continue;
+    drivers[i].leader = static_cast<int>(leader - records->begin());
+    // However small a gap is asked for, they do not drive into one another: who follows sees the brake lights a moment later.
+    drivers[i].gap_m = std::max(drivers[i].gap_m, apart(i, static_cast<std::size_t>(drivers[i].leader)) + kLate_s * drivers[i].greatest_mps);
   }
   return {};
 }
