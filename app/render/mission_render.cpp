@@ -219,6 +219,14 @@ Expected<int> findSubject(const MissionRender& render, const Recording& recordin
   return refused(render.text, "no shell has the number \"" + id + "\".", recording.shells.empty() ? "No shell was fired." : "Shells are numbered as in the log, from " + std::to_string(recording.shells.front().number) + " to " + std::to_string(recording.shells.back().number) + ".");
 }
 
+/// What the camera needs and the mission does not have.
+std::string missingSubject(Kind kind, const Recording& recording) {
+  if (kind == Kind::observer && recording.observers.empty()) return "the mission has no observer to look through.";
+  if (kind == Kind::gun && recording.guns.empty()) return "the mission has no gun to look at.";
+  if (kind == Kind::follow && recording.shells.empty()) return "there is no shell to follow: none was fired up to " + shortest(recording.duration_s) + " s.";
+  return {};
+}
+
 }  // namespace
 
 Expected<MissionView> missionView(const MissionRender& render, const Recording& recording) {
@@ -229,6 +237,8 @@ Expected<MissionView> missionView(const MissionRender& render, const Recording& 
     const auto subject = findSubject(render, recording);
     if (!subject) return tl::unexpected<Error>(subject.error());
     camera.subject = *subject;
+  } else if (const std::string missing = missingSubject(camera.kind, recording); !missing.empty()) {
+    return refused(render.text, missing, "Choose another camera: free, orbit or plan need nothing to look at.");
   }
   if (!render.look_at.empty()) {
     const auto vehicle = findById(render, recording.vehicles, render.look_at, "vehicle");

@@ -44,7 +44,9 @@ std::optional<Excess> firstExcess(std::string_view text) {
 
 /// The parser's own words without its exception number and position, which we give ourselves.
 std::string parserReason(std::string message) {
+  // Parse errors have a colon before the reason, others only the bracket.
   if (const std::size_t colon = message.find(": "); message.starts_with("[json") && colon != std::string::npos) message.erase(0, colon + 2);
+  else if (const std::size_t bracket = message.find("] "); message.starts_with("[json") && bracket != std::string::npos) message.erase(0, bracket + 2);
   if (const std::size_t last_read = message.find("; last read: "); last_read != std::string::npos) {
     const std::string rest = message.substr(last_read + 13);
     message.erase(last_read);
@@ -158,7 +160,11 @@ Expected<JsonText> JsonText::parse(std::string_view text, std::string_view file)
     return fail(ErrorKind::input, faultAt(file, lineAt(text, error.byte > 0 ? error.byte - 1 : 0), "is not JSON: " + parserReason(error.what()) + ".",
                                           "Mend the text at this line; values are separated by commas and numbers must be finite."));
   } catch (const ordered_json::exception& error) {
-    return fail(ErrorKind::input, faultAt(file, 0, "is not JSON: " + parserReason(error.what()) + ".", "Numbers must be finite and fit a double."));
+    // The library names the number that is too large, and not where it stands.
+    const std::string reason = parserReason(error.what());
+    const std::size_t open = reason.find('\''), close = reason.rfind('\'');
+    const std::size_t place = open < close ? text.find(std::string_view(reason).substr(open + 1, close - open - 1)) : std::string_view::npos;
+    return fail(ErrorKind::input, faultAt(file, place == std::string_view::npos ? 0 : lineAt(text, place), "is not JSON: " + reason + ".", "Numbers must be finite and fit a double."));
   }
 
   Scanner scanner(text, out.places_);

@@ -105,13 +105,29 @@ class Guard {
     }
   }
 
+  bool isFunction(std::string_view name) const { return own_.functions.contains(name) || known_.functions.contains(name) || isAllowed(name); }
+
+  /// `(NAME (slot ...))` without such a template: meant was one that has another name.
+  /// `sure`: nothing else can have been meant.
+  bool meantTemplate(const RuleNode& fact, bool sure) {
+    if (isTemplate(fact.head()) || fact.items.size() < 2 || !fact.items[1].isList() || isFunction(fact.items[1].head())) return false;
+    std::vector<std::string_view> candidates(own_.templates.begin(), own_.templates.end());
+    candidates.insert(candidates.end(), known_.templates.begin(), known_.templates.end());
+    const auto near = nearest(fact.head(), candidates);
+    if (!near && !sure) return false;
+    fault(fact, "There is no template " + shown(fact.head()) + " with a slot " + shown(fact.items[1].head()) + ".",
+          (near ? "Did you mean " + std::string(*near) + "? " : "") + "docs/rules.md lists the templates; a deftemplate makes others.");
+    return true;
+  }
+
   void facts(const RuleNode& list, std::size_t from) {
     for (std::size_t i = from; i < list.items.size(); ++i) {
       const RuleNode& item = list.items[i];
-      if (item.isList())
-        factValues(item);
-      else if (item.kind != RuleNode::Kind::text || i != from)
+      if (item.isList()) {
+        if (!meantTemplate(item, false)) factValues(item);
+      } else if (item.kind != RuleNode::Kind::text || i != from) {
         fault(item, shown(item.text) + " is not a fact.", "Write (NAME value ...).");
+      }
     }
   }
 
@@ -289,6 +305,7 @@ class Guard {
   void pattern(const RuleNode& node) {
     ++patterns_;
     if (node.head().empty()) return fault(node, "A pattern does not begin with the name of a fact.", "Write (NAME ...).");
+    if (meantTemplate(node, true)) return;
     std::size_t wildcards = 0;
     for (const RuleNode& item : node.items) {
       wildcards += item.kind == RuleNode::Kind::word && item.text.starts_with("$?") ? 1 : 0;

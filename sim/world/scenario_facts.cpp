@@ -66,9 +66,8 @@ Expected<Scenario> resolved(const Scenario& scenario, std::vector<Fault>* warnin
       if (without_orders) out.observers[i].missions = (*own)->missions;
     }
     if (out.observers[i].missions.empty() && shared != nullptr) out.observers[i].missions = shared->missions;
-    if (out.observers[i].missions.empty() && out.observers[i].rules.empty() && !out.observers[i].human && warnings != nullptr)
-      warnings->push_back({.what = "Observer " + out.observers[i].id + " has no mission orders: he watches, but calls fire on nothing.", .remedy = "Give him missions, or name a facts file.", .file = {}, .line = 0, .pointer = "/observers/" + std::to_string(i)});
   }
+  if (warnings != nullptr) addDoubts(out, *warnings);
   return out;
 }
 

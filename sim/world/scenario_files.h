@@ -42,7 +42,10 @@ void placeFaults(const std::filesystem::path& mission_file, std::vector<Fault>& 
 
 /// The mission with what it leaves to the thesis's facts (appendix B.C): where it lists no observer, no batteries, or an observer
 /// without mission orders, they come from the facts file it names, orders and guns also from an observer's own `rules` if those hold facts. Resolving
-/// twice changes nothing. `warnings` gets what is doubtful: in the facts, and observers who have no orders. Error kind input, with file and line.
+/// twice changes nothing. `warnings` gets what is doubtful: in the facts, and addDoubts. Error kind input, with file and line.
 Expected<Scenario> resolved(const Scenario& scenario, std::vector<Fault>* warnings = nullptr);
+
+/// What is allowed in a mission but hardly meant: observers without orders, and those that stand inside one another.
+void addDoubts(const Scenario& scenario, std::vector<Fault>& warnings);
 
 }  // namespace npsee::world

@@ -42,6 +42,20 @@ void TableReader::read(const Struct& table, const ordered_json& object, const st
       faults_.push_back(json_.fault(pointer, std::string(field.key) + " is missing: " + std::string(table.name) + " needs it.", std::string(field.doc)));
 }
 
+namespace {
+
+/// People name a vehicle type where its index is asked for.
+std::string typesByIndex(const std::string& name) {
+  std::string known;
+  for (const VehicleType& type : shippedVehicleTypes()) {
+    if (type.name == name) return name + " is type " + std::to_string(type.index) + ".";
+    known += (known.empty() ? "" : ", ") + std::to_string(type.index) + ' ' + type.name;
+  }
+  return "Types go by their index: " + known + ", and those of the mission's vehicle_types.";
+}
+
+}  // namespace
+
 /// The identity comes first wherever it stands, for other defaults may depend on it.
 void TableReader::readIdentity(const Struct& table, const ordered_json& object, const std::string& pointer, void* out) {
   if (table.identity.empty() || !object.contains(table.identity)) return;
@@ -53,6 +67,7 @@ void TableReader::readIdentity(const Struct& table, const ordered_json& object, 
 void TableReader::readField(const Field& field, const ordered_json& value, const std::string& pointer, void* out) {
   if (field.scalar()) {
     if (const auto read = fieldFromJson(field, json_, value, pointer, faults_)) field.write(out, *read);
+    else if (field.key == "type" && value.is_string() && !faults_.empty()) faults_.back().remedy = typesByIndex(value.get_ref<const std::string&>());
   } else if (value.is_null()) {
     return;
   } else if (field.type == FieldType::list) {

@@ -100,7 +100,7 @@ class Checker {
 
   void unknownName(const std::string& pointer, const std::string& kind, const std::string& wrong, const std::vector<std::string_view>& candidates) {
     const auto near = nearest(wrong, candidates);
-    add(pointer, "there is no " + kind + " \"" + wrong + "\".", near ? "Did you mean " + std::string(*near) + "?" : candidates.empty() ? "" : "There are " + listed({candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(candidates.size(), 20))}) + ".");
+    add(pointer, "there is no " + kind + " \"" + wrong + "\".", near ? "Did you mean " + std::string(*near) + "?" : candidates.empty() ? "The mission has no " + kind + "; add one, or leave this out." : "There are " + listed({candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(candidates.size(), 20))}) + ".");
   }
 
   bool isVehicle(const std::string& id) const {

@@ -57,7 +57,7 @@ namespace world {
 
 std::string shown(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.7g", value);
+  std::snprintf(text, sizeof text, "%.8g", value);
   return text;
 }
 
@@ -65,7 +65,7 @@ Expected<Terrain::Grid> emptyGrid(double size_x, double size_z, double columns, 
   // In doubles first: a tiny cell would overflow whole numbers.
   if (!(columns * rows <= static_cast<double>(Terrain::kMaxSamples)))
     return fail(ErrorKind::input, "The terrain would have " + shown(columns) + " x " + shown(rows) + " samples, above the limit of " + shown(static_cast<double>(Terrain::kMaxSamples)) + ".",
-                "Make the cells (cell_m) larger or the world smaller.");
+                "Make the cells (cell) larger or the world smaller.");
   Terrain::Grid grid;
   grid.size_x = size_x;
   grid.size_z = size_z;

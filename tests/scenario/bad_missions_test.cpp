@@ -160,5 +160,53 @@ TEST_F(BadMission, CheckFindsWhatOnlySettingUpShows) {
   EXPECT_TRUE(checked.out.starts_with(at(4, "/batteries/0/weapon"))) << checked.out;
 }
 
+TEST_F(BadMission, AVehicleTypeByNameIsToldItsIndex) {
+  const auto known = run("\"vehicles\": [\n{\"id\": \"a\", \"type\": \"T-72\", \"pos\": [1, 1]}]");
+  EXPECT_EQ(known.exit_code, 3);
+  EXPECT_EQ(known.err, at(3, "/vehicles/0/type") + "type is \"T-72\", but must be a whole number.\n  T-72 is type 51.\n");
+  const auto unknown = run("\"vehicles\": [\n{\"id\": \"a\", \"type\": \"tiger\", \"pos\": [1, 1]}]");
+  EXPECT_NE(unknown.err.find("Types go by their index: 1 infantry squad, "), std::string::npos) << unknown.err;
+}
+
+TEST_F(BadMission, ANumberTooLargeIsToldWithItsLine) {
+  const auto bad = run("\"name\": \"a\",\n\"seed\": 1e999");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_EQ(bad.err, file_ + ":3: is not JSON: number overflow parsing '1e999'.\n  Numbers must be finite and fit a double.\n");
+}
+
+TEST_F(BadMission, ABatteryOrVehicleThatIsNotThereIsToldWithARemedy) {
+  const auto battery_missing = run("\"observers\": [{\"id\": \"fo1\", \"pos\": [1, 1], \"batteries\": [\"alpha\"]}]");
+  EXPECT_EQ(battery_missing.err, at(2, "/observers/0/batteries/0") + "there is no battery \"alpha\".\n  The mission has no battery; add one, or leave this out.\n");
+  const auto vehicle_missing = run("\"observers\": [{\"id\": \"fo1\", \"pos\": [1, 1], \"vehicle\": \"jeep\"}]");
+  EXPECT_EQ(vehicle_missing.err, at(2, "/observers/0/vehicle") + "there is no vehicle \"jeep\".\n  The mission has no vehicle; add one, or leave this out.\n");
+}
+
+TEST_F(BadMission, RulesOnATemplateThatIsNotThereNameTheNearest) {
+  test::spill(folder_ / "own.clp", "(defrule a\n  (contct (id ?x))\n  =>\n  (warn ?x))\n");
+  const auto bad = run("\"observers\": [{\"id\": \"fo1\", \"pos\": [1, 1], \"rules\": \"own.clp\"}]");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_EQ(bad.err, folder_ / "own.clp:2: There is no template contct with a slot id.\n  Did you mean contact? docs/rules.md lists the templates; a deftemplate makes others.\n");
+}
+
+TEST_F(BadMission, ThoseThatStandInsideOneAnotherAreWarnedOf) {
+  const auto doubtful = run("\"vehicles\": [{\"id\": \"a\", \"type\": 51, \"pos\": [500, 500]}, {\"id\": \"b\", \"type\": 51, \"pos\": [501, 500]}, {\"id\": \"c\", \"type\": 51, \"pos\": [510, 500]}]");
+  EXPECT_EQ(doubtful.exit_code, 0) << doubtful.err;
+  ASSERT_EQ(doubtful.of("warning").size(), 1u) << doubtful.out;
+  EXPECT_EQ(doubtful.of("warning")[0].at("text"), "b stands inside a, at (501, 500).");
+}
+
+TEST_F(BadMission, PicturesOfWhatTheMissionDoesNotHaveAreRefused) {
+  const auto drawn = [&](const std::string& view) {
+    const auto bad = run(kTank, {"--quiet", "--render", view, "-o", folder_ / "seen.png"});
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "seen.png"));
+    return bad.err;
+  };
+  const std::string remedy = "\n  Choose another camera: free, orbit or plan need nothing to look at.\n";
+  EXPECT_EQ(drawn("camera=observer"), "--render camera=observer: the mission has no observer to look through." + remedy);
+  EXPECT_EQ(drawn("camera=gun"), "--render camera=gun: the mission has no gun to look at." + remedy);
+  EXPECT_EQ(drawn("camera=follow"), "--render camera=follow: there is no shell to follow: none was fired up to 20 s." + remedy);
+}
+
 }  // namespace
 }  // namespace npsee
