@@ -30,7 +30,9 @@ float nearLook(float distance_m, float rough) {
   float coarse = texture(u_noise, u_noise_at.zw + at).r - 0.5, fine = texture(u_noise, fract(u_noise_at.zw * 13.0) + 13.0 * at).r - 0.5;
   // A pixel at a grazing angle spans more ground.
   float pixel = distance_m * u_pixel * clamp(distance_m / max(abs(v_place.y), 0.01), 1.0, 60.0);
-  return 1.0 + rough * (0.60 * coarse / (1.0 + 0.05 * pixel) + 1.10 * fine / (1.0 + 1.2 * pixel));
+  float finest = 0.0;
+  if (pixel < 0.6) finest = (texture(u_noise, fract(u_noise_at.zw * 83.0) + 83.0 * at).r - 0.5) * clamp(1.0 - pixel / 0.6, 0.0, 1.0);
+  return 1.0 + rough * (0.45 * coarse / (1.0 + 0.05 * pixel) + 1.10 * fine / (1.0 + 1.2 * pixel) + 1.30 * finest);
 }
 
 vec3 land(float distance_m, bool from_near) {

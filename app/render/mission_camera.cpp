@@ -14,6 +14,8 @@ constexpr double kLeastClearance_m = 1.2;    ///< of a camera over ground and se
 constexpr double kPlanFov_rad = 2.0 * kPi / 180.0;
 constexpr double kSteepest_rad = 1.5533430342749532;
 constexpr double kFar_m = 5e5;
+/// A shell in the air is followed from this share of the camera's distance; the camera steps back in the last seconds.
+constexpr double kShellShare = 0.25, kStepBack_s = 2.0;
 
 Vec3 unit(const Vec3& v, const Vec3& otherwise) {
   const double size = length(v);
@@ -66,10 +68,14 @@ MissionEye followed(const Recording& recording, double time_s, const MissionCame
   const ShellRecord& shell = recording.shells[static_cast<std::size_t>(index)];
   const double t = std::clamp(time_s, shell.fired_s, shell.burst_s);
   const Vec3 velocity = shell.velocityAt(t);
+  // In the air the shell is looked at, small as it is; at its end the burst, which is large.
+  MissionCamera arm = camera;
+  const double left = std::clamp((shell.burst_s - time_s) / kStepBack_s, 0.0, 1.0);
+  arm.distance_m *= 1.0 - (1.0 - kShellShare) * left * left * (3.0 - 2.0 * left);
   // The heading of the flight, which hardly turns, and not the shell's own direction: the picture stays level.
   const Vec3 line = shell.burst_m - shell.muzzle_m;
   const Vec3 ahead = std::hypot(line.x, line.z) > 1.0 ? line : velocity;
-  return around(recording, camera, shell.at(t), std::atan2(ahead.x, -ahead.z) + camera.yaw_rad);
+  return around(recording, arm, shell.at(t), std::atan2(ahead.x, -ahead.z) + camera.yaw_rad);
 }
 
 MissionEye watched(const Recording& recording, double time_s, const MissionCamera& camera, int index, int width, int height) {
@@ -222,6 +228,7 @@ MissionEye missionEye(const Recording& recording, double time_s, const MissionCa
 
 MissionCamera overviewCamera(const Recording& recording, MissionCamera::Kind kind, double aspect) {
   Vec3 low{1e300, 0.0, 1e300}, high{-1e300, 0.0, -1e300};
+  double apex_m = 0.0;
   const auto include = [&](double x, double z) {
     low = {std::min(low.x, x), 0.0, std::min(low.z, z)};
     high = {std::max(high.x, x), 0.0, std::max(high.z, z)};
@@ -233,7 +240,10 @@ MissionCamera overviewCamera(const Recording& recording, MissionCamera::Kind kin
     include(end.x_m, end.z_m);
   }
   for (const GunRecord& gun : recording.guns) include(gun.muzzle_m.x, gun.muzzle_m.z);
-  for (const ShellRecord& shell : recording.shells) include(shell.burst_m.x, shell.burst_m.z);
+  for (const ShellRecord& shell : recording.shells) {
+    include(shell.burst_m.x, shell.burst_m.z);
+    apex_m = std::max(apex_m, shell.path.flight().max_ordinate_m);
+  }
   if (low.x > high.x) {
     include(0.0, 0.0);
     include(recording.terrain.sizeX(), recording.terrain.sizeZ());
@@ -246,7 +256,18 @@ MissionCamera overviewCamera(const Recording& recording, MissionCamera::Kind kin
   camera.span_m = 1.15 * std::max(down, across / std::max(aspect, 0.1));
   camera.yaw_rad = 0.35;
   camera.pitch_rad = 0.55;
-  camera.distance_m = std::max(1.05 * std::max(across / std::max(aspect, 0.1), 0.75 * down) / std::tan(0.5 * camera.fov_y_rad) * 0.62, 250.0);
+  const double tan_half = std::tan(0.5 * camera.fov_y_rad);
+  camera.distance_m = std::max(1.05 * std::max(across / std::max(aspect, 0.1), 0.75 * down) / tan_half * 0.62, 250.0);
+  // High trajectories shall be in the picture too: seen from the side they need this much of its upper half.
+  if (kind == Kind::orbit) {
+    const double upper = apex_m * std::cos(camera.pitch_rad);
+    const double seen = camera.distance_m * tan_half;
+    if (upper > 0.8 * seen) {
+      camera.pitch_rad = 0.35;
+      camera.target.y += 0.4 * apex_m;
+      camera.distance_m = std::max(camera.distance_m, 0.65 * apex_m / tan_half);
+    }
+  }
   return camera;
 }
 

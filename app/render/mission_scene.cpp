@@ -202,6 +202,7 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
   own.drawGround({eye.lens, width, height, boundSamples(), light, linesOf(view, eye), recording.terrain.heights().data()}, at_origin, eye);
   if (view.overlays.scorch) own.drawAreas(scorchMarks(recording, time_s, eye), eye, at_origin, extinctionOf(light.visibility_m), 0.003);
   const std::vector<ModelInstance> models = missionModels(recording, time_s, view, eye, own.passes->models);
+  own.drawAreas(modelShadows(recording, models, eye, own.passes->models), eye, at_origin, extinctionOf(light.visibility_m), 0.002);
   own.passes->models.draw(models, eye.lens.eye, at_origin, light);
   own.bursts.prepare(recording, time_s, view, eye, light);
   if (auto drawn = own.bursts.drawOpaque(effects, eye); !drawn) return drawn;
