@@ -3,8 +3,6 @@
 #include "surface.glsl"
 flat in vec3 v_velocity;  // world m/s
 
-void main() {
-  // What covers less than half of what is behind it is no surface.
-  if (softLight().a < 0.5) discard;
-  writeSurface(v_velocity);
-}
+// Blended from back to front like light: in the end the mean of the puffs, each weighted by its share of what is seen, times the
+// cover of all.
+void main() { o_surface = surfaceAt(v_velocity) * clamp(softLight().a, 0.0, 1.0); }

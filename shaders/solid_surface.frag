@@ -2,4 +2,4 @@
 #include "surface.glsl"
 flat in vec3 v_velocity;  // world m/s
 
-void main() { writeSurface(v_velocity); }
+void main() { o_surface = surfaceAt(v_velocity); }

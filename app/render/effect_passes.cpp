@@ -94,11 +94,16 @@ Expected<void> EffectPasses::makeSurfacePasses() {
   return {};
 }
 
-Expected<void> EffectPasses::drawSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
+Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
   if (auto made = makeSurfacePasses(); !made) return made;
   frame_.uploadVelocities(frame);
   for (const LayerSpan& layer : layers)
     if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
+  return {};
+}
+
+Expected<void> EffectPasses::drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
+  if (auto made = makeSurfacePasses(); !made) return made;
   order_.sort(frame, layers, view);
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());

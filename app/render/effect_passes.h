@@ -25,8 +25,10 @@ class EffectPasses {
   void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
 
-  /// Draws depth and motion of the nearest surfaces instead, in any order.
-  Expected<void> drawSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
+  /// Draws depth and motion instead: of pieces that cover at least half of what is behind them, the nearest; of soft forms, blended (see
+  /// shaders/soft_surface.frag).
+  Expected<void> drawSolidSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
+  Expected<void> drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
 
  private:
   Expected<void> makeSurfacePasses();

@@ -18,8 +18,8 @@ struct FloatRequest {
 
 /// A picture in single precision, rows from the top, no padding; a pass that was not asked for is empty.
 ///
-/// Depth and motion belong to the nearest surface at a pixel's centre: a piece or a puff that covers at least half of what is
-/// behind it, or the ground under a sky.
+/// Depth and motion belong to what is seen at a pixel's centre: soft forms where they together cover at least half of what is behind
+/// them (their mean, each weighted by its share of what is seen); else the nearest piece, or the ground under a sky.
 struct FloatImage {
   int width = 0, height = 0;
   std::vector<float> rgba;    ///< 4 per pixel

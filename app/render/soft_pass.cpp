@@ -60,16 +60,11 @@ Expected<SoftPass> SoftPass::create(ParticleOutput output) {
 }
 
 void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   program_.use();
   drawInstances(view, particles, first, count, ground);
 }
 
 void SoftPass::drawSurfaces(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) const {
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
   program_.use();
   setSurfaceFrame(program_, frame);
   drawInstances(view, particles, first, count, ground);
@@ -78,6 +73,9 @@ void SoftPass::drawSurfaces(const View& view, const BlendedUpload& particles, st
 void SoftPass::drawInstances(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);
   setView(program_, view);
   setGround(program_, view, ground);

@@ -12,7 +12,7 @@ class SoftPass {
  public:
   static Expected<SoftPass> create(ParticleOutput output = ParticleOutput::light);
   void draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const;
-  /// Draws the depth and motion of the parts that cover at least half of what is behind them. Needs a pass made for surfaces.
+  /// Blends their depth and motion, multiplied by their cover, in the order given. Needs a pass made for surfaces.
   void drawSurfaces(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) const;
 
  private:

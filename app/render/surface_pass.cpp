@@ -1,10 +1,19 @@
 #include "app/render/surface_pass.h"
 
 #include "app/render/float_target.h"
+#include "app/render/meshes.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace npsee::render {
+namespace {
+
+/// Cover from which puffs together are a surface.
+constexpr float kLeastCover = 0.5f;
+
+}  // namespace
 
 Expected<SurfacePass> SurfacePass::create() {
   auto ground = gl::Program::fromFiles("fullscreen.vert", "surface_ground.frag");
@@ -18,17 +27,28 @@ Expected<SurfacePass> SurfacePass::create() {
 Expected<void> SurfacePass::resize(int width, int height) {
   if (width_ == width && height_ == height) return {};
   width_ = height_ = 0;
-  auto made = makeFloatTexture(width, height, frame_);
-  if (!made) return tl::unexpected<Error>(made.error());
-  surface_ = std::move(*made);
   depth_ = gl::Renderbuffer::make();
   glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  for (const auto& [texture, frame] : {std::pair(&solid_, &solid_frame_), std::pair(&soft_, &soft_frame_)}) {
+    auto made = makeFloatTexture(width, height, *frame);
+    if (!made) return tl::unexpected<Error>(made.error());
+    *texture = std::move(*made);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  }
   if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver has no room for the depth of the picture: ") + error + ".", "Choose a smaller size.");
   width_ = width;
   height_ = height;
   return {};
+}
+
+void SurfacePass::begin(const gl::Framebuffer& frame) const {
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, nothing);
 }
 
 void SurfacePass::drawGround(const View& view, const GroundLevel& ground) const {
@@ -47,24 +67,37 @@ void SurfacePass::drawGround(const View& view, const GroundLevel& ground) const 
 
 Expected<void> SurfacePass::run(EffectPasses& effects, const Frame* frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, int width, int height, const FloatRequest& request, FloatImage& image) {
   if (auto sized = resize(width, height); !sized) return sized;
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const SurfaceFrame surface{width, height, request.frame_s};
+  const float farthest = 1.0f;
+  begin(solid_frame_);
   glDepthMask(GL_TRUE);
-  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f}, farthest = 1.0f;
-  glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   if (ground.solid) drawGround(view, ground);
   if (frame != nullptr)
-    if (auto drawn = effects.drawSurfaces(*frame, layers, view, ground, {width, height, request.frame_s}); !drawn) return drawn;
-  readFloats(width, height, read_);
-  const std::size_t pixels = read_.size() / 4;
+    if (auto drawn = effects.drawSolidSurfaces(*frame, layers, view, ground, surface); !drawn) return drawn;
+  readFloats(width, height, solid_values_);
+  soft_values_.clear();
+  if (std::ranges::any_of(layers, [](const LayerSpan& layer) { return isSoft(layer.form); }) && frame != nullptr) {
+    begin(soft_frame_);
+    if (auto drawn = effects.drawSoftSurfaces(*frame, layers, view, ground, surface); !drawn) return drawn;
+    readFloats(width, height, soft_values_);
+  }
+  fill(image, request);
+  return {};
+}
+
+void SurfacePass::fill(FloatImage& image, const FloatRequest& request) const {
+  const std::size_t pixels = solid_values_.size() / 4;
   image.depth.resize(request.depth ? pixels : 0);
   image.motion.resize(request.motion ? 2 * pixels : 0);
-  for (std::size_t i = 0; i < image.depth.size(); ++i) image.depth[i] = read_[4 * i + 3] > 0.0f ? read_[4 * i] : std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < image.motion.size(); ++i) image.motion[i] = read_[4 * (i / 2) + 1 + i % 2];
-  return {};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const bool in_cloud = !soft_values_.empty() && soft_values_[4 * i + 3] >= kLeastCover;
+    const float* values = (in_cloud ? soft_values_ : solid_values_).data() + 4 * i;
+    const float cover = values[3];
+    if (request.depth) image.depth[i] = cover > 0.0f ? values[0] / cover : std::numeric_limits<float>::infinity();
+    if (request.motion)
+      for (std::size_t c = 0; c < 2; ++c) image.motion[2 * i + c] = cover > 0.0f ? values[1 + c] / cover : 0.0f;
+  }
 }
 
 }  // namespace npsee::render

@@ -16,15 +16,18 @@ class SurfacePass {
 
  private:
   Expected<void> resize(int width, int height);
+  /// The framebuffer of pieces and ground, or of what is soft, bound and empty. Both share one depth.
+  void begin(const gl::Framebuffer& frame) const;
+  void fill(FloatImage& image, const FloatRequest& request) const;
   void drawGround(const View& view, const GroundLevel& ground) const;
 
   gl::Program ground_;
   gl::VertexArray nothing_;
-  gl::Texture surface_;
+  gl::Texture solid_, soft_;
   gl::Renderbuffer depth_;
-  gl::Framebuffer frame_;
+  gl::Framebuffer solid_frame_, soft_frame_;
   int width_ = 0, height_ = 0;
-  std::vector<float> read_;
+  std::vector<float> solid_values_, soft_values_;
 };
 
 }  // namespace npsee::render

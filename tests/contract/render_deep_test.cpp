@@ -220,6 +220,32 @@ TEST_F(RenderDeep, SmokeIsASurfaceWhereItCoversHalf) {
   EXPECT_TRUE(std::isinf(exr(preset("dot"), view).depth[place])) << "the sky behind thin smoke";
 }
 
+// Neither alone would be a surface; together they cover 0.64.
+TEST_F(RenderDeep, ThinPuffsAddUpAndTheNearerOneCountsForMore) {
+  const std::string puff = R"("count": 1, "speed_mean": 0, "speed_deviation": 0, "size_mean": 6, "size_deviation": 0, "lifetime_mean": 60, "lifetime_deviation": 0, "form": "smoke", "opacity": 0.4, "trajectory": "linear", )";
+  test::spill(preset("dot"), R"({"npsee": 1, "gravity": 0, "burst": "air", "burst_height": 20, "layers": [
+    {"name": "near", )" + puff + R"("region": {"shape": "point"}},
+    {"name": "far", )" + puff + R"("region": {"shape": "point", "offset": [0, 0, -10]}}]})");
+  const Words view{"--time", "1", "--camera", "eye=0,20,30 target=0,20,0", "--background", "transparent", "--pass", "colour,depth"};
+  const auto image = exr(preset("dot"), view);
+  int seen = 0;
+  for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    const double cover = static_cast<double>(image.rgba[4 * i + 3]), depth = static_cast<double>(image.depth[i]);
+    if (cover < 0.499) {
+      EXPECT_TRUE(std::isinf(depth)) << i;
+    } else if (cover > 0.501) {
+      // Both puffs are in their own plane: w at 30 m and (1 - w) of the cover at 40 m.
+      EXPECT_GT(depth, 30.0) << i;
+      EXPECT_LT(depth, 40.0) << i;
+      ++seen;
+    }
+    if (cover > 0.63) {
+      EXPECT_NEAR(depth, (0.4 * 30.0 + 0.6 * 0.4 * 40.0) / 0.64, 0.15) << "in the full middle of both";
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
 TEST_F(RenderDeep, MotionIsTheVelocityOnThePicture) {
   // 12 m/s straight up, seen from the side, from below and off the axis.
   oneParticle("", R"("speed_mean": 12, "size_mean": 2, "form": "sphere")");
