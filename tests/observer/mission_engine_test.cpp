@@ -36,7 +36,7 @@ Recording ran(const Scenario& scenario, const std::vector<MissionCommand>& comma
 /// The duel, and a hundred vehicles that wander about.
 Scenario busyDuel() {
   Scenario sc = duel();
-  sc.groups.push_back({.id = "g", .type = 52, .count = 100, .from = {11000, 9000}, .to = {14000, 11000}});
+  sc.groups.push_back({.id = "g", .type = 52, .count = 100, .from = {6500, 3000}, .to = {9500, 7000}});
   return sc;
 }
 

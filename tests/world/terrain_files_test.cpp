@@ -181,7 +181,7 @@ TEST(Terrain, FaultyRequestsAreRefusedWithARemedy) {
   hills.cell_m = -1.0;
   EXPECT_SAYS(refusal(hills), "cell_m is -1 m");
   hills.cell_m = 0.001;
-  EXPECT_SAYS(refusal(hills, 50000.0, 50000.0), "above the limit of 6.710886e+07");
+  EXPECT_SAYS(refusal(hills, 50000.0, 50000.0), "above the limit of 67108864");
   hills = test::hills(1);
   hills.relief_m = -1.0;
   hills.valley = 2.0;
