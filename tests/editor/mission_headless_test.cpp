@@ -100,6 +100,13 @@ TEST_F(MissionScript, TheArrowKeysMoveEveryCameraInItsOwnWay) {
          small());
 }
 
+TEST_F(MissionScript, APlaceKeepsWhenItIsSaidInAnotherWay) {
+  // 1500 m east and 200 m north of the observer.
+  passes("click observer:fo1\nclick tab:Fire\nclick button:take\nset call.x 7000\nset call.z 5000\nclick \"toggle:by polar\"\nexpect call.distance = 1513\nexpect call.azimuth = 1465\n"
+         "set call.distance 3026\nclick \"toggle:by grid\"\nexpect call.x > 8498\nexpect call.x < 8502\nexpect call.z > 4798\nexpect call.z < 4802\nexpect error =\n",
+         small());
+}
+
 TEST_F(MissionScript, EachMissionUnderWayHasACorrectionOfItsOwn) {
   Scenario scenario = test::smallMission();
   scenario.observers[0].human = true;

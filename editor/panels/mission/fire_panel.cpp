@@ -119,6 +119,18 @@ void readReticle(const PanelContext& ui, CallForm& call, int observer) {
   call.grid = {std::round(ground->x), std::round(ground->z)};
 }
 
+/// The same place said in another way; a shift is from a point that has to be chosen first.
+void sayOtherwise(const PanelContext& ui, CallForm& call, int observer, Locate way) {
+  const MissionSession& mission = ui.session.mission();
+  if (const auto place = placeOfCall(call, *mission.recording(), observer, mission.clock.time_s)) {
+    const auto [azimuth, distance] = polarTo(*mission.recording(), observer, mission.clock.time_s, *place);
+    call.grid = {std::round(place->x_m), std::round(place->z_m)};
+    call.azimuth_mil = std::round(azimuth);
+    call.distance_m = std::round(distance);
+  }
+  call.locate = way;
+}
+
 void drawLocation(const PanelContext& ui, CallForm& call, int observer) {
   const Box box = formRow(ui, "Location");
   const ImVec2 below = ImGui::GetCursorScreenPos();
@@ -126,7 +138,7 @@ void drawLocation(const PanelContext& ui, CallForm& call, int observer) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(2), 0));
   constexpr std::array<std::pair<Locate, const char*>, 3> kWays{{{Locate::grid, "grid"}, {Locate::polar, "polar"}, {Locate::shift, "shift"}}};
   for (const auto& [way, word] : kWays) {
-    if (chip(ui, word, std::string("by ") + word, call.locate == way)) call.locate = way;
+    if (chip(ui, word, std::string("by ") + word, call.locate == way)) sayOtherwise(ui, call, observer, way);
     ImGui::SameLine();
   }
   ImGui::SetCursorScreenPos(below);
