@@ -244,7 +244,8 @@ MissionCamera overviewCamera(const Recording& recording, MissionCamera::Kind kin
     include(shell.burst_m.x, shell.burst_m.z);
     apex_m = std::max(apex_m, shell.path.flight().max_ordinate_m);
   }
-  if (low.x > high.x) {
+  const bool empty = low.x > high.x;
+  if (empty) {
     include(0.0, 0.0);
     include(recording.terrain.sizeX(), recording.terrain.sizeZ());
   }
@@ -258,6 +259,8 @@ MissionCamera overviewCamera(const Recording& recording, MissionCamera::Kind kin
   camera.pitch_rad = 0.55;
   const double tan_half = std::tan(0.5 * camera.fov_y_rad);
   camera.distance_m = std::max(1.05 * std::max(across / std::max(aspect, 0.1), 0.75 * down) / tan_half * 0.62, 250.0);
+  // The corners of a whole world have to be seen, not only what lies within.
+  if (empty) camera.distance_m *= 1.5;
   // High trajectories shall be in the picture too: seen from the side they need this much of its upper half.
   if (kind == Kind::orbit) {
     const double upper = apex_m * std::cos(camera.pitch_rad);
