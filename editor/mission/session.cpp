@@ -101,7 +101,18 @@ double MissionSession::progress() const {
 
 Expected<void> MissionSession::load(const std::filesystem::path& path) {
   auto done = document.load(path);
-  if (!done) return done;
+  if (done) beginAnew();
+  return done;
+}
+
+void MissionSession::startNew() {
+  document.startNew();
+  beginAnew();
+}
+
+/// Nothing of the mission before is kept.
+void MissionSession::beginAnew() {
+  ++mission_number_;
   clock = MissionClock{};
   frame_on_arrival_ = true;
   recording_.reset();
@@ -110,13 +121,6 @@ Expected<void> MissionSession::load(const std::filesystem::path& path) {
   call = {};
   corrections.clear();
   view.presets.clear();
-  return done;
-}
-
-void MissionSession::startNew() {
-  document.startNew();
-  clock = MissionClock{};
-  frame_on_arrival_ = true;
 }
 
 void MissionSession::seekEvent(std::size_t event) {

@@ -69,6 +69,8 @@ class MissionSession {
   /// File matters; errors leave everything as it was.
   Expected<void> load(const std::filesystem::path& path);
   void startNew();
+  /// Differs after every mission opened or begun.
+  std::uint64_t missionNumber() const { return mission_number_; }
 
   // Time.
   void seekEvent(std::size_t event);
@@ -123,6 +125,7 @@ class MissionSession {
   };
   Wanted wanted() const;
   double limit(bool in_the_loop) const;
+  void beginAnew();
   void ask();
   void takeResults(Notices& notices);
   void prepareCall(int observer);
@@ -134,7 +137,7 @@ class MissionSession {
   Wanted requested_;
   std::uint64_t request_number_ = 0;
   std::shared_ptr<const Recording> recording_;
-  std::uint64_t recording_number_ = 0;
+  std::uint64_t recording_number_ = 0, mission_number_ = 0;
   std::vector<Shot> shots_;
   std::vector<ObjectRef> owners_;
   std::vector<double> reach_;

@@ -41,8 +41,8 @@ struct MissionUi {
   /// The plan: which part of the world it shows.
   struct Plan {
     bool placed = false;
+    std::uint64_t mission = 0;              ///< that it was placed for
     double centre_x = 0.0, centre_z = 0.0, metre_per_px = 1.0;
-    const void* world = nullptr;            ///< terrain it was placed for
     GroundMap map;                          ///< of the part shown, kept while that stays
     Place map_from, map_to;
     const void* map_of = nullptr;

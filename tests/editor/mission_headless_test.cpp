@@ -178,6 +178,10 @@ TEST_F(MissionScript, TheShippedMissionsAreListedAndOpenByAClick) {
   passes("click tab:Missions\nclick mission:ridge_high_angle\nexpect window.title = ridge_high_angle\nexpect shots > 0\nexpect error =\nset time 30\nclick \"toggle:camera follow\"\nsave " + in("ridge.png") + "\n", kMissions + "thesis_default.mission.json");
 }
 
+TEST_F(MissionScript, AnotherMissionIsPutIntoViewInThePlanToo) {
+  passes("click tab:Missions\nclick mission:foggy_night\nexpect visible plan:t72-near\nexpect visible plan:fo1\nkey ctrl+N\nexpect mode = mission\nexpect vehicles = 0\nclick mission:ridge_low\nexpect visible plan:fo1\nexpect error =\n", small());
+}
+
 TEST_F(MissionScript, FactsOfTheThesisAreShownAndWrittenIntoTheMissionToBeChanged) {
   passes("expect guns = 4\nexpect error =\nclick gun:gun1\nexpect selected.kind = gun\nclick button:adopt\nexpect undo = 1\nexpect dirty = yes\nset gun1.pos 17000,16000\nexpect selected.x = 17000\n", kMissions + "thesis_default.mission.json");
 }

@@ -36,7 +36,8 @@ void frameWorld(const PanelContext& ui, const Box& box) {
   plan.centre_z = 0.5 * (low_z + high_z);
   plan.metre_per_px = std::max({1.25 * (high_x - low_x) / static_cast<double>(box.width), 1.25 * (high_z - low_z) / static_cast<double>(box.height), 400.0 / static_cast<double>(box.width)});
   plan.placed = true;
-  plan.world = recording.terrain.heights().data();
+  plan.mission = mission.missionNumber();
+  plan.map_of = nullptr;  // another ground may lie where that of the mission before lay in memory
 }
 
 struct Thing {
@@ -192,11 +193,8 @@ void drawPlanPanel(const PanelContext& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(box.at, box.end(), ui.theme.background, ui.px(4));
   if (mission.recording() == nullptr) return;
-  if (!plan.placed || plan.world != mission.recording()->terrain.heights().data()) {
-    // Another ground keeps the part shown if it is the same mission with another simulation.
-    if (!plan.placed || plan.world == nullptr || mission.recordingNumber() <= 1) frameWorld(ui, box);
-    plan.world = mission.recording()->terrain.heights().data();
-  }
+  // Another simulation of the same mission keeps the part shown.
+  if (!plan.placed || plan.mission != mission.missionNumber()) frameWorld(ui, box);
   PlanView view{box, plan.centre_x, plan.centre_z, plan.metre_per_px};
   const auto all = things(ui);
   steer(ui, view, all);
