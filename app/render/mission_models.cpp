@@ -220,18 +220,18 @@ double drawnLength(const VehicleType& type) { return std::max(type.length_m, 1.0
 
 std::vector<GroundCorner> modelShadows(const Recording& recording, const std::vector<ModelInstance>& instances, const MissionEye& eye, const ModelPass& models) {
   constexpr int kSides = 16, kMost = 600;
-  constexpr double kLeast_px = 9.0, kSofter = 1.45;
+  constexpr double kLeast_px = 9.0, kSofter = 1.4;
   // Away from the key light (shaders/common.glsl), as far as half a vehicle's height throws it.
   const Vec3 away{0.5263 / 0.7105, 0.0, -0.4671 / 0.7105};
   std::vector<GroundCorner> out;
   int count = 0;
   for (const ModelInstance& instance : instances) {
     const Model& model = models.models()[instance.model];
-    if (model.name == "shell" || model.name == "block") continue;
-    const double length_m = model.name == "observer" ? 0.9 : model.hull_length_m * instance.scale, width_m = model.name == "observer" ? 0.9 : 0.52 * length_m;
+    if (model.name == "shell" || model.name == "block" || model.name == "squad") continue;
+    const double length_m = model.name == "observer" ? 0.9 : model.hull_length_m * instance.scale, width_m = model.name == "observer" ? 0.9 : 0.58 * length_m;
     const auto pixel = eye.project(instance.at_m);
     if (!pixel || length_m / pixel->depth_m / (2.0 * std::tan(0.5 * eye.lens.fov_y_rad) / eye.height) < kLeast_px || ++count > kMost) continue;
-    const Vec3 middle = instance.at_m + 0.12 * length_m * away;
+    const Vec3 middle = instance.at_m + 0.28 * length_m * away;
     const auto at = [&](int side, double size, float alpha) {
       // A rounded oblong: the fourth power keeps the corners of the hull dark.
       const double turn = kTwoPi * side / kSides, sine = std::sin(turn), cosine = std::cos(turn);
@@ -239,10 +239,10 @@ std::vector<GroundCorner> modelShadows(const Recording& recording, const std::ve
       const Vec3 p = middle + (reach * 0.5 * width_m * sine) * instance.right + (reach * 0.5 * length_m * cosine) * instance.back;
       return GroundCorner{{p.x, recording.terrain.surface(p.x, p.z) + 0.04, p.z}, {0.02f, 0.025f, 0.03f, alpha}};
     };
-    constexpr float kDark = 0.55f;
+    constexpr float kDark = 0.68f;
     const GroundCorner centre{{middle.x, recording.terrain.surface(middle.x, middle.z) + 0.04, middle.z}, {0.02f, 0.025f, 0.03f, kDark}};
     for (int side = 0; side < kSides; ++side) {
-      const GroundCorner a = at(side, 0.92, kDark), b = at(side + 1, 0.92, kDark), c = at(side + 1, kSofter, 0.0f), d = at(side, kSofter, 0.0f);
+      const GroundCorner a = at(side, 1.08, kDark), b = at(side + 1, 1.08, kDark), c = at(side + 1, kSofter, 0.0f), d = at(side, kSofter, 0.0f);
       for (const GroundCorner* g : {&centre, &a, &b, &a, &b, &c, &a, &c, &d}) out.push_back(*g);
     }
   }

@@ -25,7 +25,7 @@ std::vector<ModelInstance> missionModels(const Recording& recording, double time
 /// Size of a vehicle's model on the ground, m, before enlarging.
 double drawnLength(const VehicleType& type);
 
-/// Soft shadows on the ground under vehicles, guns and figures of some pixels, three corners a triangle.
+/// Soft shadows on the ground under vehicles, guns and observers of some pixels, three corners a triangle.
 std::vector<GroundCorner> modelShadows(const Recording& recording, const std::vector<ModelInstance>& instances, const MissionEye& eye, const ModelPass& models);
 
 }  // namespace npsee::render
