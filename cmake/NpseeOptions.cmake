@@ -25,6 +25,13 @@ if(NPSEE_SANITIZE)
   endif()
 endif()
 
+# npsee_keep_loaded(TARGET): what a program needs for AddressSanitizer to name the libraries that leak (keep_loaded.cpp says why).
+function(npsee_keep_loaded target)
+  if(NPSEE_SANITIZE MATCHES "address")
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests/sanitizers/keep_loaded.cpp")
+  endif()
+endfunction()
+
 if(NPSEE_FUZZ)
   # Coverage for every target; the fuzz targets themselves link libFuzzer's main.
   add_compile_options(-fsanitize=fuzzer-no-link)
