@@ -19,9 +19,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Polls until `done` holds; false after ten seconds.
+/// Polls until `done` holds; false after a minute, which even a very busy machine does not need.
 bool eventually(const std::function<bool()>& done) {
-  for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(20ms))
+  for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(20ms))
     if (done()) return true;
   return false;
 }
@@ -77,7 +77,7 @@ class EditorWindow : public testing::Test {
   }
   /// What the editor printed when it ended, by name.
   std::map<std::string, std::string> state() {
-    EXPECT_TRUE(ended_.wait_for(30s) == std::future_status::ready) << "the window is still open";
+    EXPECT_TRUE(ended_.wait_for(60s) == std::future_status::ready) << "the window is still open";
     const auto result = ended_.get();
     EXPECT_EQ(result.exit_code, 0) << result.err;
     std::map<std::string, std::string> out;
@@ -171,8 +171,10 @@ TEST_F(MissionWindow, PlaysIsScrubbedAndDraggedInSavesAndCloses) {
   std::this_thread::sleep_for(300ms);
   key("space");
   // The plan shows the tank as soon as the simulation has begun.
-  EXPECT_TRUE(eventually([this] {
+  int drags = 0;
+  EXPECT_TRUE(eventually([&] {
     drag("plan:t72-1", -20, 10);
+    ++drags;
     return window("small \\* - npsee");
   }));
   key("Control_L+s");
@@ -191,13 +193,16 @@ TEST_F(MissionWindow, PlaysIsScrubbedAndDraggedInSavesAndCloses) {
   EXPECT_EQ(end.at("camera"), "observer");
   EXPECT_EQ(end.at("playing"), "no");
   EXPECT_EQ(end.at("error"), "");
-  EXPECT_EQ(number(end, "undo"), 1.0);
+  // On a busy machine the title may follow a drag after the next one has begun.
+  EXPECT_GE(number(end, "undo"), 1.0);
+  EXPECT_LE(number(end, "undo"), drags);
   EXPECT_GT(number(end, "time"), 5.0 + 10.0) << "200 of about 700 pixels of two minutes";
 }
 
 TEST_F(MissionWindow, TimePassesWhileItPlays) {
   key("space");
-  std::this_thread::sleep_for(500ms);
+  // Long enough for some frames between the two keys on a busy machine too.
+  std::this_thread::sleep_for(2s);
   key("Control_L+q");
   const auto end = state();
   EXPECT_GT(number(end, "time"), 5.0);
