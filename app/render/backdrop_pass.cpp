@@ -1,5 +1,7 @@
 #include "app/render/backdrop_pass.h"
 
+#include "app/gl/state.h"
+
 namespace npsee::render {
 
 Expected<BackdropPass> BackdropPass::create() {
@@ -13,11 +15,7 @@ Expected<BackdropPass> BackdropPass::create() {
 
 void BackdropPass::draw(const Target& target, const Backdrop& backdrop) const {
   target.bindBackdrop();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  gl::drawPlainly();
   program_.use();
   setView(program_, backdrop.view);
   program_.set("u_depth", 0.0f);

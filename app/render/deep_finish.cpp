@@ -1,5 +1,6 @@
 #include "app/render/deep_finish.h"
 
+#include "app/gl/state.h"
 #include "app/render/finish_pass.h"
 #include "app/render/float_target.h"
 
@@ -42,11 +43,7 @@ Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, boo
 }
 
 void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, bool with_effect) const {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  gl::drawPlainly();
   const gl::Program& program = with_effect && target.smooth() ? smooth_ : single_;
   program.use();
   program.set("u_scene", 0);

@@ -1,5 +1,6 @@
 #include "app/render/effect_passes.h"
 
+#include "app/render/make_once.h"
 #include "app/render/meshes.h"
 
 #include <algorithm>
@@ -50,11 +51,7 @@ void EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> la
 
 Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& ground) {
   if (!ground.glow.shines()) return {};
-  if (!glow_) {
-    auto pass = GlowPass::create();
-    if (!pass) return tl::unexpected<Error>(pass.error());
-    glow_ = std::move(*pass);
-  }
+  if (auto made = makeOnce(glow_); !made) return made;
   glow_->draw(view, ground);
   return {};
 }
@@ -73,29 +70,14 @@ Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const Lay
       solid_.drawBlended(view, run.form, blended_, run.first, run.count, ground);
       continue;
     }
-    if (!soft_) {
-      auto pass = SoftPass::create();
-      if (!pass) return tl::unexpected<Error>(pass.error());
-      soft_ = std::move(*pass);
-    }
+    if (auto made = makeOnce(soft_, ParticleOutput::light); !made) return made;
     soft_->draw(view, blended_, run.first, run.count, ground);
   }
   return {};
 }
 
-Expected<void> EffectPasses::makeSurfacePasses() {
-  if (solid_surfaces_ && soft_surfaces_) return {};
-  auto solid = SolidPass::create(ParticleOutput::surface);
-  if (!solid) return tl::unexpected<Error>(solid.error());
-  auto soft = SoftPass::create(ParticleOutput::surface);
-  if (!soft) return tl::unexpected<Error>(soft.error());
-  solid_surfaces_ = std::move(*solid);
-  soft_surfaces_ = std::move(*soft);
-  return {};
-}
-
 Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
-  if (auto made = makeSurfacePasses(); !made) return made;
+  if (auto made = makeOnce(solid_surfaces_, ParticleOutput::surface); !made) return made;
   frame_.uploadVelocities(frame);
   for (const LayerSpan& layer : layers)
     if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
@@ -103,7 +85,7 @@ Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<con
 }
 
 Expected<void> EffectPasses::drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
-  if (auto made = makeSurfacePasses(); !made) return made;
+  if (auto made = makeOnce(soft_surfaces_, ParticleOutput::surface); !made) return made;
   order_.sort(frame, layers, view);
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());

@@ -31,8 +31,6 @@ class EffectPasses {
   Expected<void> drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
 
  private:
-  Expected<void> makeSurfacePasses();
-
   SolidPass solid_;
   ShadowPass shadow_;
   // Compiled when a picture needs them: start-up time counts.

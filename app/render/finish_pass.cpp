@@ -1,5 +1,7 @@
 #include "app/render/finish_pass.h"
 
+#include "app/gl/state.h"
+
 #include <cmath>
 
 namespace npsee::render {
@@ -43,17 +45,10 @@ void FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, con
 
 Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles) {
   gl::Program& program = target.smooth() ? mission_smooth_ : mission_;
-  if (!program) {
-    auto made = gl::Program::fromFiles("tiles.vert", target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag");
-    if (!made) return tl::unexpected<Error>(made.error());
-    program = std::move(*made);
-  }
+  if (!program)
+    if (auto loaded = program.load("tiles.vert", target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag"); !loaded) return loaded;
   target.bindFinished();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  gl::drawPlainly();
   program.use();
   program.set("u_scene", 0);
   glActiveTexture(GL_TEXTURE0);
@@ -65,11 +60,7 @@ Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& til
 
 void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const {
   target.bindFinished();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  gl::drawPlainly();
   const gl::Program& program = target.smooth() ? smooth_ : single_;
   program.use();
   program.set("u_scene", 0);

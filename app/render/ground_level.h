@@ -19,6 +19,10 @@ struct GroundLevel {
   Glow glow;            ///< of the effect
 };
 
+/// For what lies on the ground, such as shadows: takes the program into use with view and ground, sets u_nearer, and has it blended under the
+/// caller's glBlendFunc. A plane drawn before everything else needs no depth; a terrain's hills hide what is behind them.
+void layOnGround(const gl::Program& program, const View& view, const GroundLevel& ground);
+
 /// Sets u_ground, u_slope, u_clip and u_fade, light, glow and air, and the clipping itself.
 void setGround(const gl::Program& program, const View& view, const GroundLevel& ground);
 

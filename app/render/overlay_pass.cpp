@@ -1,22 +1,11 @@
 #include "app/render/overlay_pass.h"
 
+#include "app/gl/state.h"
 #include "app/gl/vertices.h"
 
 #include <cstddef>
 
 namespace npsee::render {
-namespace {
-
-void blended() {
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDepthMask(GL_FALSE);
-}
-
-}  // namespace
 
 Expected<OverlayPass> OverlayPass::create() {
   OverlayPass pass;
@@ -35,7 +24,7 @@ Expected<OverlayPass> OverlayPass::create() {
 void OverlayPass::drawAreas(const std::vector<AreaVertex>& vertices, const View& view, double extinction_per_m) {
   if (vertices.empty()) return;
   gl::upload(GL_ARRAY_BUFFER, area_vertices_, vertices, GL_STREAM_DRAW);
-  blended();
+  gl::blendOver();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   area_.use();
@@ -46,7 +35,7 @@ void OverlayPass::drawAreas(const std::vector<AreaVertex>& vertices, const View&
 }
 
 void OverlayPass::drawMask(int width, int height, double radius_px) {
-  blended();
+  gl::blendOver();
   glDisable(GL_DEPTH_TEST);
   mask_.use();
   mask_.set("u_depth", 0.0f);

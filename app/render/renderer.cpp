@@ -5,6 +5,7 @@
 #include "app/render/effect_passes.h"
 #include "app/render/effect_tiles.h"
 #include "app/render/finish_pass.h"
+#include "app/render/make_once.h"
 #include "app/render/mission_scene.h"
 #include "app/render/surface_pass.h"
 #include "app/render/target.h"
@@ -32,14 +33,13 @@ Expected<void> drawnWithoutError() {
   return {};
 }
 
-/// Makes a pass when a picture first needs it.
-template <class Pass>
-Expected<void> makeOnce(std::optional<Pass>& pass) {
-  if (pass) return {};
-  auto made = Pass::create();
-  if (!made) return tl::unexpected<Error>(made.error());
-  pass = std::move(*made);
-  return {};
+/// The ground around an explosion; over a plain background or none it neither hides nor fades anything.
+GroundLevel groundOf(const Scene& scene) {
+  GroundLevel ground;
+  ground.height_m = scene.ground_height_m;
+  ground.solid = ground.fades = scene.background.kind == Background::Kind::sky;
+  ground.colour = {scene.ground_colour.r, scene.ground_colour.g, scene.ground_colour.b};
+  return ground;
 }
 
 void readBack(const Target& target, Image& image) {
@@ -106,10 +106,7 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   const Target& target = slot.target;
   if (outdoors) prepareBackdrop(scene, view, slot);
   mask.reset(target.width(), target.height());
-  GroundLevel ground;
-  ground.height_m = scene.ground_height_m;
-  ground.solid = ground.fades = outdoors;
-  ground.colour = {scene.ground_colour.r, scene.ground_colour.g, scene.ground_colour.b};
+  GroundLevel ground = groundOf(scene);
   if (particles) ground.glow = glowOf(*scene.frame, scene.layers);
   if (particles) markEffect(mask, *scene.frame, scene.layers, view, ground, shadows);
   tiles.upload(mask);
@@ -147,9 +144,7 @@ Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, 
   if (auto made = makeOnce(surfaces); !made) return made;
   const Frame* frame = scene.frame != nullptr && scene.frame->count > 0 ? scene.frame : nullptr;
   if (frame != nullptr) effects.upload(*frame);
-  GroundLevel ground;
-  ground.height_m = scene.ground_height_m;
-  ground.solid = ground.fades = outdoors;
+  const GroundLevel ground = groundOf(scene);
   if (auto drawn = surfaces->run(effects, frame, scene.layers, view, ground, image.width, image.height, request, image); !drawn) return drawn;
   return drawnWithoutError();
 }

@@ -1,5 +1,6 @@
 #include "app/render/stroke_pass.h"
 
+#include "app/gl/state.h"
 #include "app/gl/vertices.h"
 
 #include <cstddef>
@@ -8,9 +9,7 @@ namespace npsee::render {
 
 Expected<StrokePass> StrokePass::create() {
   StrokePass pass;
-  auto program = gl::Program::fromFiles("stroke.vert", "stroke.frag");
-  if (!program) return tl::unexpected<Error>(program.error());
-  pass.program_ = std::move(*program);
+  if (auto loaded = pass.program_.load("stroke.vert", "stroke.frag"); !loaded) return tl::unexpected<Error>(loaded.error());
   pass.attributes_ = gl::VertexArray::make();
   pass.vertices_ = gl::Buffer::make();
   glBindVertexArray(pass.attributes_.name());
@@ -28,12 +27,7 @@ Expected<StrokePass> StrokePass::create() {
 void StrokePass::draw(const std::vector<StrokeVertex>& triangles, Hiding hiding) {
   if (triangles.empty()) return;
   gl::upload(GL_ARRAY_BUFFER, vertices_, triangles, GL_STREAM_DRAW);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
-  glDepthMask(GL_FALSE);
+  gl::blendOver();
   program_.use();
   glBindVertexArray(attributes_.name());
   const auto pass = [&](bool behind) {

@@ -1,5 +1,6 @@
 #include "app/render/surface_pass.h"
 
+#include "app/gl/state.h"
 #include "app/render/float_target.h"
 #include "app/render/meshes.h"
 
@@ -53,10 +54,7 @@ void SurfacePass::begin(const gl::Framebuffer& frame) const {
 
 void SurfacePass::drawGround(const View& view, const GroundLevel& ground) const {
   // The ground is behind all that is drawn: what lies below it is clipped.
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_CLIP_DISTANCE0);
+  gl::drawPlainly();
   ground_.use();
   setView(ground_, view);
   ground_.set("u_depth", 0.0f);

@@ -1,5 +1,6 @@
 #include "app/render/video.h"
 
+#include "sim/core/descriptor.h"
 #include "sim/core/files.h"
 #include "sim/core/text.h"
 
@@ -28,29 +29,6 @@ using Words = std::vector<std::string>;
 
 /// Encoders work on a fixed number of threads: their bytes depend on it.
 constexpr const char* kThreads = "2";
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd = -1) : fd_(fd) {}
-  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  ~Descriptor() { close(); }
-  int get() const { return fd_; }
-  void close() {
-    if (fd_ >= 0) ::close(fd_);
-    fd_ = -1;
-  }
-
- private:
-  int fd_;
-};
-
-tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why, std::string remedy = "Choose another place or make room; nothing was changed.") {
-  return fail(ErrorKind::output, {.what = "cannot be written: " + why + ".", .remedy = std::move(remedy), .file = path.string(), .line = 0, .pointer = {}});
-}
 
 std::string_view nameOf(VideoFormat format) {
   switch (format) {

@@ -1,5 +1,6 @@
 #include "app/render/view.h"
 
+#include "app/gl/state.h"
 #include "app/render/ground_level.h"
 
 #include <algorithm>
@@ -99,6 +100,19 @@ void setGround(const gl::Program& program, const View& view, const GroundLevel& 
   setGlow(program, ground.glow);
   if (ground.solid) glEnable(GL_CLIP_DISTANCE0);
   else glDisable(GL_CLIP_DISTANCE0);
+}
+
+void layOnGround(const gl::Program& program, const View& view, const GroundLevel& ground) {
+  gl::blendOver();
+  if (ground.shadow_nearer > 0.0) glEnable(GL_DEPTH_TEST);
+  else glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  program.use();
+  setView(program, view);
+  setGround(program, view, ground);
+  // What is drawn is the ground itself: rounding must not cut it off.
+  glDisable(GL_CLIP_DISTANCE0);
+  program.set("u_nearer", static_cast<float>(ground.shadow_nearer));
 }
 
 }  // namespace npsee::render

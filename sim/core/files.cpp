@@ -1,5 +1,7 @@
 #include "sim/core/files.h"
 
+#include "sim/core/descriptor.h"
+
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -15,34 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Closes a descriptor on every way out.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return fd < 0 || ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
-
 std::string reason() { return std::strerror(errno); }
 
 tl::unexpected<Error> cannotRead(const fs::path& path, const std::string& why, std::string remedy = {}) {
   return fail(ErrorKind::input, {.what = "cannot be read: " + why + ".", .remedy = std::move(remedy), .file = path.string(), .line = 0, .pointer = {}});
-}
-
-tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) {
-  return fail(ErrorKind::output,
-              {.what = "cannot be written: " + why + ".", .remedy = "Choose another place or make room; nothing was changed.", .file = path.string(), .line = 0, .pointer = {}});
 }
 
 bool writeAll(int fd, std::span<const std::byte> bytes) {
@@ -68,6 +46,10 @@ fs::path linkTarget(fs::path path) {
 }
 
 }  // namespace
+
+tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why, std::string remedy) {
+  return fail(ErrorKind::output, {.what = "cannot be written: " + why + ".", .remedy = std::move(remedy), .file = path.string(), .line = 0, .pointer = {}});
+}
 
 Expected<std::string> readTextFile(const fs::path& path, std::size_t limit) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

@@ -16,6 +16,9 @@ inline constexpr std::size_t kMaxTextFile = 16u << 20;
 /// Whole regular file as text. Error kind input: missing, unreadable, a folder, over `limit` bytes.
 Expected<std::string> readTextFile(const std::filesystem::path& path, std::size_t limit = kMaxTextFile);
 
+/// The error of a file that cannot be written; `why` is the end of a sentence without a full stop.
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& path, const std::string& why, std::string remedy = "Choose another place or make room; nothing was changed.");
+
 /// Writes to a temporary name in the same folder, syncs, renames: afterwards the file is whole, old or new. A symbolic link
 /// is followed, and permissions of a replaced file are kept. Error kind output; the temporary file is removed.
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);

@@ -11,10 +11,9 @@ namespace {
 
 using test::Convoy;
 using test::flatTerrain;
+using test::kEast;
 using test::scenarioOf;
 using test::vehicle;
-
-constexpr double kEast = 0.5 * kPi;
 
 /// Radius of the circle around a vehicle.
 double radius(const VehicleRecord& record) { return 0.5 * std::hypot(record.type.length_m, record.type.width_m); }

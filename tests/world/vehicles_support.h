@@ -9,6 +9,9 @@
 
 namespace npsee::test {
 
+/// Heading towards the east, rad.
+inline constexpr double kEast = 0.5 * kPi;
+
 /// Vehicles on a terrain, without guns or observers.
 class Convoy {
  public:

@@ -9,10 +9,9 @@ namespace {
 
 using test::Convoy;
 using test::flatTerrain;
+using test::kEast;
 using test::scenarioOf;
 using test::vehicle;
-
-constexpr double kEast = 0.5 * kPi;
 
 Scenario meanderers(int count, std::int64_t seed, double size_m) {
   Scenario scenario = scenarioOf({}, size_m);
