@@ -139,6 +139,8 @@ Expected<void> writeMissionPictures(const MissionPicturePlan& plan, const Record
     if (!view) return tl::unexpected<Error>(view.error());
     views.push_back(std::move(*view));
   }
+  if (plan.names)
+    if (auto made = plan.names->makeFolder(); !made) return made;
   auto studio = openStudio(recording);
   if (!studio) return tl::unexpected<Error>(studio.error());
   const std::vector<Picture> pictures = picturesOf(plan, recording);

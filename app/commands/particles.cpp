@@ -92,6 +92,7 @@ int dump(const ParticleOptions& options) {
     if (!made) return report(made.error());
     names = std::move(*made);
   }
+  if (auto made = names.makeFolder(); !made) return report(made.error());
   const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto explosion = Explosion::compile(*preset, std::nullopt, nullptr, {.threads = threads});
   if (!explosion) return report(explosion.error());

@@ -57,6 +57,7 @@ class RenderCall {
   const RenderOptions& o_;
   RenderPlan plan_;
   ProgressMode progress_ = ProgressMode::terminal;
+  OutputNames names_;  // of the output
   std::vector<Preset> presets_;
   render::Tolerance tolerance_;
   std::vector<WorkItem> items_;      // of the goldens where there are any, else of the output
@@ -109,9 +110,10 @@ Expected<void> RenderCall::prepare() {
 
 Expected<void> RenderCall::makeItems() {
   if (!o_.output.empty()) {
-    const auto names = OutputNames::make(o_.output, o_.files, plan_.numbered(), endingOf(plan_.format));
+    auto names = OutputNames::make(o_.output, o_.files, plan_.numbered(), endingOf(plan_.format));
     if (!names) return tl::unexpected<Error>(names.error());
     items_ = workOf(plan_, presets_, *names);
+    names_ = std::move(*names);
   }
   if (!o_.golden.empty()) {
     const auto names = OutputNames::inFolder(o_.golden, o_.files, plan_.numbered(), endingOf(plan_.format));
@@ -138,6 +140,7 @@ Expected<void> RenderCall::save(std::size_t index, const Picture& picture, rende
 
 Expected<void> RenderCall::draw() {
   const Interrupt interrupt;
+  if (auto made = names_.makeFolder(); !made) return made;
   const auto context = gl::makeOffscreenContext();
   if (!context) return tl::unexpected<Error>(context.error());
   const auto renderer = render::Renderer::create();

@@ -63,9 +63,13 @@ Expected<OutputNames> OutputNames::make(const std::string& output, const std::ve
   const bool folder = output.ends_with('/') || fs::is_directory(path, ignored);
   if (folder || presets.size() > 1) {
     if (!folder)
-      return fail(ErrorKind::usage, "-o " + output + ": several presets need a folder to be written to.", "Name an existing folder, or end the name in / once it exists.");
-    if (auto checked = checkFolder(path, output); !checked) return tl::unexpected<Error>(checked.error());
-    return inFolder(path, presets, sequence, ending);
+      return fail(ErrorKind::usage, "-o " + output + ": several presets need a folder to be written to.", "Name a folder, with a / at its end if it is to be made.");
+    // "out/" has the parent "out", whose parent is where it stands.
+    const bool missing = !fs::exists(path, ignored);
+    if (auto checked = checkFolder(missing ? path.parent_path().parent_path() : path, output); !checked) return tl::unexpected<Error>(checked.error());
+    auto names = inFolder(path, presets, sequence, ending);
+    if (names && missing) names->missing_ = path.parent_path();
+    return names;
   }
   if (!isSpecialFile(path))
     if (auto checked = checkFolder(path.parent_path(), output); !checked) return tl::unexpected<Error>(checked.error());
@@ -102,6 +106,12 @@ Expected<OutputNames> OutputNames::inFolder(const fs::path& folder, const std::v
 }
 
 Expected<void> checkPlace(const fs::path& file) { return isSpecialFile(file) ? Expected<void>() : checkFolder(file.parent_path(), file.string()); }
+
+Expected<void> OutputNames::makeFolder() const {
+  std::error_code failed;
+  if (!missing_.empty() && !fs::create_directory(missing_, failed) && failed) return cannotWrite(missing_, failed.message());
+  return {};
+}
 
 std::filesystem::path OutputNames::path(std::size_t index, std::int64_t number) const {
   const Name& name = names_.at(index);

@@ -149,7 +149,7 @@ TEST_F(ParticleCache, WhatCannotBeMeantExitsTwo) {
 
 TEST_F(ParticleCache, PlacesThatCannotBeWrittenExitFive) {
   expectRefused(5, {"--time", "1", "-o", folder_ / "no/a.ply"}, {"no/a.ply", "does not exist"});
-  expectRefused(5, {"--frames", "0:1", "-o", folder_ / "no/"}, {"does not exist"});
+  expectRefused(5, {"--frames", "0:1", "-o", folder_ / "no/no/"}, {"does not exist"});
   expectRefused(5, {"--time", "1", "-o", "/dev/full", "--format", "ply"}, {"/dev/full"});
 }
 

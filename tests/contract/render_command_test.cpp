@@ -218,9 +218,21 @@ TEST_F(RenderCommand, APresetThatCannotBeReadExitsThree) {
   EXPECT_TRUE(files().empty());
 }
 
+TEST_F(RenderCommand, AFolderNamedWithASlashIsMade) {
+  const std::vector<std::string> words{preset(), "--size", "64x36", "--time", "1", "-o", folder_ / "new/"};
+  auto dry = words;
+  dry.push_back("--dry-run");
+  EXPECT_EQ(render(dry).exit_code, 0);
+  EXPECT_TRUE(files().empty()) << "a dry run writes nothing";
+  const auto result = render(words);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "new"), {}), 1);
+  EXPECT_EQ(render(words).exit_code, 0) << "and may be there already";
+}
+
 TEST_F(RenderCommand, PlacesThatCannotBeWrittenExitFive) {
   expectRefused(5, {"-o", folder_ / "no/such/a.png"}, {"does not exist", "no/such"});
-  expectRefused(5, {"-o", folder_ / "none/", "--frames", "0:1"}, {"does not exist"});
+  expectRefused(5, {"-o", folder_ / "none/none/", "--frames", "0:1"}, {"does not exist"});
   expectRefused(5, {"-o", preset() + "/a.png"}, {"not a folder"});
   expectRefused(5, {"-o", "/dev/full", "--size", "64x36"}, {"/dev/full", "No space left"});
   // Longer than any file system takes, for whomever and wherever the test runs.

@@ -201,7 +201,7 @@ TEST_F(RenderGolden, FoldersThatAreNotThereAreNamed) {
   expect(small({"--golden", folder_ / "none"}), 3, {}, {"none", "no folder of goldens"});
   expect(small({"--golden", folder("golden"), "--report", folder_ / "no/r.html"}), 5, {}, {"no/r.html", "does not exist"});
   expect(small({"--golden", folder("golden"), "--junit", folder_ / "no/r.xml"}), 5, {}, {"no/r.xml"});
-  expect(small({"--golden", folder("golden"), "-o", folder_ / "no/"}), 5, {}, {"does not exist"});
+  expect(small({"--golden", folder("golden"), "-o", folder_ / "no/no/"}), 5, {}, {"does not exist"});
 }
 
 }  // namespace
