@@ -9,6 +9,8 @@ in vec2 v_disc;
 in float v_above;         // height over the ground, m
 flat in float v_clear;    // share of the light that the air lets through
 flat in float v_radius;
+flat in float v_dense;    // of a puff: its cover is 1 - (1 + 4 v_dense)^-2 through the middle
+flat in vec3 v_shade;     // share of the sun on the lit side and on the far side, share of the sky
 flat in vec3 v_glow;      // light of flashes and fire on a cloud
 
 uniform sampler2D u_noise;   // tiling value noise, 0..1
@@ -39,16 +41,19 @@ vec4 puff() {
   float noise = clamp((0.6 * coarse + 0.4 * fine - 0.5) * 2.3 + 0.5, 0.0, 1.0);
   float edge = 1.0 - r2;
   float body = clamp(1.5 * (edge - 0.85 * (1.0 - noise)), 0.0, 1.0);
-  float depth = body * (1.0 + 3.0 * body);
-  float cover = depth * (2.0 + depth) / ((1.0 + depth) * (1.0 + depth));
-  float a = v_colour.a * min(1.06 * cover, 1.0) * groundFade();
+  float depth = v_dense * body * (1.0 + 3.0 * body);
+  float a = depth * (2.0 + depth) / ((1.0 + depth) * (1.0 + depth)) * groundFade();
   if (v_kind < 1.5) {
     float bulge = sqrt(edge);
     vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (bulge + 0.35 * noise) * u_back);
     // Light wraps around a cloud, and its hollows lie in shadow.
-    float wrapped = clamp(dot(normal, kKeyDirection) * 0.62 + 0.38, 0.0, 1.0);
-    vec3 light = kKeyLight * wrapped * (0.35 + 0.65 * noise) + ambientLight(normal) * (0.7 + 0.3 * noise);
-    return vec4(mix(u_haze_colour * a, (dimmed(v_colour.rgb * light) + v_colour.rgb * v_glow) * a, v_clear), a);
+    float facing = dot(normal, kKeyDirection);
+    float wrapped = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
+    float sun = wrapped * mix(v_shade.y, v_shade.x, 0.5 + 0.5 * facing);
+    // Even soot scatters some of what meets it; without it the sun would draw no side on it.
+    vec3 albedo = v_colour.rgb + 0.045;
+    vec3 light = kKeyLight * (1.3 * sun * (0.35 + 0.65 * noise)) + ambientLight(normal) * (v_shade.z * (0.7 + 0.3 * noise));
+    return vec4(mix(u_haze_colour * a, (dimmed(albedo * light) + albedo * v_glow) * a, v_clear), a);
   }
   float heat = body * body * (0.6 + 0.8 * noise);
   vec3 glow = v_colour.rgb * (0.9 + 2.6 * heat) + vec3(0.9, 0.45, 0.12) * heat * heat;

@@ -15,6 +15,7 @@ layout(location = 8) in float a_vx;    // world m/s
 layout(location = 9) in float a_vy;
 layout(location = 10) in float a_vz;
 layout(location = 11) in float a_seed; // 0..1, the particle's own
+layout(location = 12) in vec3 a_light;  // of smoke: optical depth towards the sun from its lit and its far side; share of the sky
 layout(location = 14) in float a_kind; // 0 streak, 1 smoke, 2 fire, 3 flash
 
 uniform mat4 u_view_projection;  // world to clip
@@ -32,7 +33,15 @@ out float v_above;        // height over the ground, m
 flat out float v_clear;
 flat out float v_radius;  // m
 flat out vec3 v_velocity; // world m/s
+flat out float v_dense;   // of a puff: its cover is 1 - (1 + 4 v_dense)^-2 through the middle
+flat out vec3 v_shade;    // share of the sun on the lit side and on the far side, share of the sky
 flat out vec3 v_glow;     // light of flashes and fire on a cloud
+
+// As leftThrough of smoke_shade.h.
+vec2 leftThrough(vec2 depth) {
+  vec2 q = 1.0 + 0.5 * depth;
+  return 1.0 / (q * q);
+}
 
 const float kShutter = 1.0 / 50.0;  // s, what a streak's length shows of its motion
 
@@ -65,6 +74,10 @@ void main() {
   v_noise = vec2(fract(a_seed * 17.0), fract(a_seed * 61.0));
   v_colour = vec4(linearFromSrgb(vec3(a_r, a_g, a_b)), opacity);
   v_kind = a_kind;
+  v_dense = 0.25 * (inversesqrt(1.0 - 0.965 * clamp(opacity, 0.0, 1.0)) - 1.0);
+  // What a bright cloud stops of the light it mostly passes on forwards, so that it is as if it were thinner (similarity relation).
+  float albedo = dot(v_colour.rgb, vec3(0.3333));
+  v_shade = vec3(leftThrough(a_light.xy * (1.0 - 0.75 * albedo)), 0.35 + 0.65 * a_light.z);
   v_velocity = vec3(a_vx, a_vy, a_vz);
   // A cloud scatters what comes from any side: half of what a facing surface would get.
   vec3 towards = u_glow_place.xyz - centre;

@@ -21,7 +21,7 @@ float kindOf(Form form) {
 float ownNumber(std::uint32_t index) { return static_cast<float>((index * 2654435769u) >> 8) * (1.0f / 16777216.0f); }
 
 BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in_layer, Form form) {
-  BlendedInstance out{frame.x[i], frame.y[i], frame.z[i], frame.size[i], frame.r[i], frame.g[i], frame.b[i], frame.a[i], {0.0f, 0.0f, 0.0f, 1.0f}, kindOf(form)};
+  BlendedInstance out{frame.x[i], frame.y[i], frame.z[i], frame.size[i], frame.r[i], frame.g[i], frame.b[i], frame.a[i], {0.0f, 0.0f, 0.0f, 1.0f}, kindOf(form), {}};
   if (!isSoft(form)) {
     if (frame.qw.size() > i) {
       const float q[4] = {frame.qx[i], frame.qy[i], frame.qz[i], frame.qw[i]};
@@ -39,7 +39,7 @@ BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in
 
 }  // namespace
 
-void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view) {
+void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const SmokeShade* shade) {
   entries_.clear();
   instances_.clear();
   runs_.clear();
@@ -61,6 +61,8 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     if (!joins) runs_.push_back({layer.form, instances_.size(), 0});
     ++runs_.back().count;
     instances_.push_back(instanceOf(frame, entry.index, entry.index - static_cast<std::uint32_t>(layer.first), layer.form));
+    BlendedInstance& instance = instances_.back();
+    if (shade != nullptr && layer.form == Form::smoke) instance.light = shade->at({static_cast<double>(instance.x), static_cast<double>(instance.y), static_cast<double>(instance.z)}, 0.5 * static_cast<double>(instance.size));
   }
 }
 

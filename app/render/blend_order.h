@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/frame_upload.h"
+#include "app/render/smoke_shade.h"
 #include "app/render/view.h"
 
 #include <cstdint>
@@ -19,7 +20,8 @@ class BlendOrder {
     std::size_t first, count;
   };
 
-  void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view);
+  /// `shade` is the light inside the smoke; without it all puffs stand in full light.
+  void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const SmokeShade* shade = nullptr);
   std::span<const BlendedInstance> instances() const { return instances_; }
   std::span<const Run> runs() const { return runs_; }
 

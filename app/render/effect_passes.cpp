@@ -8,20 +8,23 @@
 namespace npsee::render {
 namespace {
 
-/// Darkness of the shadow under a form; light throws none.
+/// Darkness of the shadow under a piece. Light throws none, and smoke has a map of its own.
 double shadowStrength(Form form) {
   switch (form) {
     case Form::tetrahedron:
     case Form::disc:
     case Form::sphere:
     case Form::shard: return 0.62;
-    case Form::smoke: return 0.22;
+    case Form::smoke:
     case Form::streak:
     case Form::fire:
     case Form::flash: break;
   }
   return 0.0;
 }
+
+/// As kKeyDirection of shaders/common.glsl.
+constexpr Vec3 kTowardsSun{-0.5263, 0.7105, 0.4671};
 
 /// The span cut to the particles the frame really holds.
 std::size_t countIn(const LayerSpan& layer, const Frame& frame) {
@@ -41,12 +44,17 @@ Expected<EffectPasses> EffectPasses::create() {
   return passes;
 }
 
-void EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) const {
+Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers) {
     const std::size_t count = countIn(layer, frame);
     const double strength = shadowStrength(layer.form);
     if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
   }
+  mapSmokeShadow(frame, layers, {ground.height_m, ground.slope_x, ground.slope_z}, kTowardsSun, shadow_map_);
+  if (shadow_map_.empty()) return {};
+  if (auto made = makeOnce(smoke_shadow_); !made) return made;
+  smoke_shadow_->draw(view, ground, kTowardsSun, shadow_map_);
+  return {};
 }
 
 Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& ground) {
@@ -62,7 +70,8 @@ void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> lay
 }
 
 Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  order_.sort(frame, layers, view);
+  shade_.build(frame, layers, kTowardsSun);
+  order_.sort(frame, layers, view, &shade_);
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());
   for (const BlendOrder::Run& run : order_.runs()) {

@@ -2,6 +2,8 @@
 
 #include "app/render/blend_order.h"
 #include "app/render/glow_pass.h"
+#include "app/render/smoke_shade.h"
+#include "app/render/smoke_shadow_pass.h"
 #include "app/render/shadow_pass.h"
 #include "app/render/soft_pass.h"
 #include "app/render/solid_pass.h"
@@ -19,7 +21,7 @@ class EffectPasses {
 
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
   void upload(const Frame& frame) { frame_.upload(frame); }
-  void drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) const;
+  Expected<void> drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   /// The light of the ground's glow on the ground; nothing where it does not shine.
   Expected<void> drawGlow(const View& view, const GroundLevel& ground);
   void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
@@ -35,12 +37,15 @@ class EffectPasses {
   ShadowPass shadow_;
   // Compiled when a picture needs them: start-up time counts.
   std::optional<GlowPass> glow_;
+  std::optional<SmokeShadowPass> smoke_shadow_;
   std::optional<SoftPass> soft_;
   std::optional<SolidPass> solid_surfaces_;
   std::optional<SoftPass> soft_surfaces_;
   FrameUpload frame_;
   BlendedUpload blended_;
   BlendOrder order_;
+  SmokeShade shade_;
+  SmokeShadowMap shadow_map_;
 };
 
 }  // namespace npsee::render

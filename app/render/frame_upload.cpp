@@ -56,11 +56,12 @@ void BlendedUpload::upload(std::span<const BlendedInstance> instances) {
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
 }
 
-void BlendedUpload::bind(std::size_t first) const {
+void BlendedUpload::bind(std::size_t first, bool with_light) const {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const std::size_t base = first * sizeof(BlendedInstance);
   for (unsigned location = kX; location <= kQw; ++location) gl::attribute(location, 1, sizeof(BlendedInstance), base + location * sizeof(float), 1);
   gl::attribute(kKind, 1, sizeof(BlendedInstance), base + offsetof(BlendedInstance, kind), 1);
+  if (with_light) gl::attribute(kMeshPosition, 3, sizeof(BlendedInstance), base + offsetof(BlendedInstance, light), 1);
 }
 
 }  // namespace npsee::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/gl/objects.h"
+#include "app/render/smoke_shade.h"
 
 #include <npsee/explosion.h>
 
@@ -38,13 +39,14 @@ struct BlendedInstance {
   float r, g, b, a;
   float p[4];  ///< solid forms: quaternion; soft forms: velocity and the particle's own number 0..1
   float kind;  ///< soft forms: 0 streak, 1 smoke, 2 fire, 3 flash
+  PuffLight light;  ///< of smoke
 };
 
 class BlendedUpload {
  public:
   void upload(std::span<const BlendedInstance> instances);
-  /// As FrameUpload::bind, with the kind.
-  void bind(std::size_t first) const;
+  /// As FrameUpload::bind, with the kind. Soft forms get their light where pieces have their mesh.
+  void bind(std::size_t first, bool with_light = false) const;
 
  private:
   gl::Buffer buffer_;

@@ -147,7 +147,8 @@ Expected<void> MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye
   for (const Drawn& drawn : bursts_) {
     const View view = eye.viewFrom(drawn.origin);
     effects.upload(drawn.frame);
-    if (!light_.night && drawn.ground.height_m > -60.0) effects.drawShadows(drawn.frame, drawn.layers, view, drawn.ground);
+    if (!light_.night && drawn.ground.height_m > -60.0)
+      if (auto done = effects.drawShadows(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     if (drawn.ground.height_m > -60.0)
       if (auto done = effects.drawGlow(view, drawn.ground); !done) return done;
     effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground);

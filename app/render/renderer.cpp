@@ -115,7 +115,7 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
     finish.clear(tiles);
     effects.upload(*scene.frame);
     if (shadows) {
-      effects.drawShadows(*scene.frame, scene.layers, view, ground);
+      if (auto drawn = effects.drawShadows(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
       if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
     }
     effects.drawOpaque(*scene.frame, scene.layers, view, ground);

@@ -84,7 +84,7 @@ void SoftPass::drawInstances(const View& view, const BlendedUpload& particles, s
   glBindTexture(GL_TEXTURE_2D, noise_.name());
   glBindSampler(0, 0);
   glBindVertexArray(attributes_.name());
-  particles.bind(first);
+  particles.bind(first, true);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
 }
 
