@@ -27,10 +27,10 @@ class RendererPictures final : public Pictures {
   }
 
   ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) override {
-    if (!enabled || !session.document.hasLayer()) return nullptr;
+    if (!enabled || session.design.ease.shown().layers.empty()) return nullptr;
     render::TemplateScene scene;
-    scene.preset = &session.document.preset();
-    scene.layer = session.document.selected();
+    scene.preset = &session.design.ease.shown();
+    scene.layer = 0;
     scene.view = session.template_view;
     scene.yaw_rad = session.template_yaw_rad;
     scene.pitch_rad = session.template_pitch_rad;

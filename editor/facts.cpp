@@ -31,6 +31,7 @@ void addExplosion(const Session& session, Facts& out) {
       {"layers", std::to_string(document.preset().layers.size())}, {"layer", document.hasLayer() ? document.layer().name : std::string()},
       {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())},
       {"undo.label", std::string(document.history().undoLabel())},
+      {"solo", std::to_string(session.design.solo.size())},
       {"template.view", kViews[static_cast<int>(session.template_view)]},
       {"template.yaw", shortest(session.template_yaw_rad)}, {"template.pitch", shortest(session.template_pitch_rad)},
   });
@@ -93,7 +94,7 @@ Facts Editor::facts() const {
       {"dirty", yes(session.file().dirty())}, {"window.title", session.title()}, {"file", session.file().path().string()},
       {"question", yes(session.asking() != Intent::none)}, {"quitting", yes(session.quitting())},
       {"files", kModes[static_cast<int>(session.files.mode)]},
-      {"error", session.notices.error}, {"note", session.notices.note}, {"hint", state().hint}, {"typing", state().typing.name},
+      {"error", session.notices.error}, {"note", session.notices.note}, {"hint", state().hint}, {"clipboard", ImGui::GetClipboardText() != nullptr ? ImGui::GetClipboardText() : ""}, {"typing", state().typing.name},
   });
   return out;
 }

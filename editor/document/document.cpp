@@ -1,13 +1,12 @@
 #include "editor/document/document.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace npsee::editor {
-namespace {
 
-/// Indices of `root` and of every layer that hangs on it, directly or not.
-std::vector<bool> subtree(const Preset& preset, std::size_t root) {
+std::vector<bool> withChildren(const Preset& preset, std::size_t root) {
   std::vector<bool> in(preset.layers.size(), false);
   in[root] = true;
   for (bool grown = true; grown;) {
@@ -19,8 +18,6 @@ std::vector<bool> subtree(const Preset& preset, std::size_t root) {
   }
   return in;
 }
-
-}  // namespace
 
 Preset Snapshot::fresh() {
   Preset preset;
@@ -84,7 +81,7 @@ Expected<void> Document::duplicateLayer() {
 Expected<void> Document::deleteLayer() {
   if (!hasLayer()) return fail(ErrorKind::usage, "There is no layer to delete.");
   auto done = edit("Delete layer", {}, [this](Preset& preset) {
-    const std::vector<bool> gone = subtree(preset, static_cast<std::size_t>(selected()));
+    const std::vector<bool> gone = withChildren(preset, static_cast<std::size_t>(selected()));
     std::vector<Layer> kept;
     for (std::size_t i = 0; i < gone.size(); ++i)
       if (!gone[i]) kept.push_back(std::move(preset.layers[i]));
@@ -95,12 +92,51 @@ Expected<void> Document::deleteLayer() {
 }
 
 Expected<void> Document::moveLayer(int by) {
-  const int to = selected() + by;
-  if (!hasLayer() || to < 0 || to >= static_cast<int>(preset().layers.size())) return {};
+  if (!hasLayer() || by == 0) return {};
+  const int last = static_cast<int>(preset().layers.size()) - 1;
+  int to = selected() + (by > 0 ? 1 : -1);
+  // Layers in between hang on others: passing them would change nothing that is seen.
+  while (to >= 0 && to <= last && preset().layers[static_cast<std::size_t>(to)].parent != layer().parent) to += by > 0 ? 1 : -1;
+  if (to < 0 || to > last) return {};
   auto done = edit("Move layer", {}, [&](Preset& preset) {
     std::swap(preset.layers[static_cast<std::size_t>(selected())], preset.layers[static_cast<std::size_t>(to)]);
   });
   if (done) select(to);
+  return done;
+}
+
+Expected<void> Document::placeLayer(int which, int target, Place place) {
+  const int count = static_cast<int>(preset().layers.size());
+  if (which < 0 || which >= count || target < 0 || target >= count || which == target) return {};
+  if (withChildren(preset(), static_cast<std::size_t>(which))[static_cast<std::size_t>(target)])
+    return fail(ErrorKind::usage, "A layer cannot hang on what hangs on it.", "Drop it on another layer.");
+  const std::string name = preset().layers[static_cast<std::size_t>(which)].name, beside = preset().layers[static_cast<std::size_t>(target)].name;
+  auto done = edit("Move layer", {}, [&](Preset& preset) {
+    Layer layer = preset.layers[static_cast<std::size_t>(which)];
+    preset.layers.erase(preset.layers.begin() + which);
+    auto at = preset.layers.begin() + findLayer(preset, beside);
+    layer.parent = place == Place::inside ? beside : at->parent;
+    if (layer.parent.empty()) layer.trigger = Trigger::none;
+    else if (layer.trigger == Trigger::none) layer.trigger = Trigger::birth;
+    preset.layers.insert(place == Place::before ? at : at + 1, std::move(layer));
+  });
+  if (done) select(findLayer(preset(), name));
+  return done;
+}
+
+Expected<void> Document::insertLayers(const std::vector<Layer>& layers, std::string_view label) {
+  const std::size_t at = hasLayer() ? static_cast<std::size_t>(selected()) + 1 : 0;
+  auto done = edit(label, {}, [&](Preset& preset) {
+    std::map<std::string, std::string> renamed;
+    std::vector<Layer> added = layers;
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      added[i].name = renamed[layers[i].name] = freeLayerName(preset, layers[i].name);
+      preset.layers.insert(preset.layers.begin() + static_cast<std::ptrdiff_t>(at + i), added[i]);
+    }
+    for (std::size_t i = 0; i < added.size(); ++i)
+      if (const auto found = renamed.find(layers[i].parent); found != renamed.end()) preset.layers[at + i].parent = found->second;
+  });
+  if (done) select(static_cast<int>(at));
   return done;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -50,8 +51,17 @@ class Document : public EditedDocument<Snapshot> {
   Expected<void> duplicateLayer();
   /// Layers that hang on the deleted one are deleted with it.
   Expected<void> deleteLayer();
+  /// Past the next (by = 1) or previous (-1) layer that hangs on the same.
   Expected<void> moveLayer(int by);
+  /// Puts a layer, with what hangs on it, before or after another, or hangs it on that one.
+  enum class Place { before, after, inside };
+  Expected<void> placeLayer(int layer, int target, Place place);
+  /// Adds layers after the selected one; names that are taken become free ones, and parents among the layers follow.
+  Expected<void> insertLayers(const std::vector<Layer>& layers, std::string_view label);
   Expected<void> renameLayer(std::string_view name);
 };
+
+/// By index: the layer and every one that hangs on it, directly or not.
+std::vector<bool> withChildren(const Preset& preset, std::size_t layer);
 
 }  // namespace npsee::editor

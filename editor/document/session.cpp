@@ -51,7 +51,7 @@ void Session::update(double elapsed_s) {
   mission_->update(elapsed_s, notices);
 }
 
-bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling(); }
+bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling() || design.ease.moving(); }
 
 void Session::updateExplosion(double elapsed_s) {
   if (requested_revision_ != document.revision()) {
@@ -60,11 +60,14 @@ void Session::updateExplosion(double elapsed_s) {
   }
   takeCompiled();
   playback.advance(elapsed_s);
+  design.ease.update(document.snapshot(), document.hasLayer() ? document.selected() : -1, elapsed_s, scripted());
   if (!explosion_) return;
   const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
   explosion_->at(playback.time_s, frame_, render::kSceneFields, threads);
+  showSolo();
   const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
   sampleLaunch();
+  probeLayer();
   alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
 }
 
@@ -73,6 +76,7 @@ void Session::sampleLaunch() {
   const std::pair<const Explosion*, int> now{explosion_.get(), document.selected()};
   if (now == sampled_) return;
   sampled_ = now;
+  probed_ = {};
   sample_ = {};
   if (!document.hasLayer() || explosion_->particleCount() > kLargest) return;
   const Layer& layer = document.layer();
@@ -85,6 +89,35 @@ void Session::sampleLaunch() {
     if (launch_.alive[i] == 0) continue;
     sample_.speed_mps.push_back(std::hypot(launch_.vx[i], launch_.vy[i], launch_.vz[i]));
     if (grown > 0.0) sample_.size_m.push_back(static_cast<float>(launch_.size[i] / grown));
+  }
+}
+
+void Session::probeLayer() {
+  constexpr std::size_t kMost = 1200;
+  const std::pair now{document.snapshot(), document.hasLayer() ? document.selected() : -1};
+  if (now == probed_) return;
+  probed_ = now;
+  design.probe = probeLaunch(*now.first, now.second, kMost);
+  design.histograms.clear();
+  const auto add = [&](const char* key, const std::vector<float>& exact, const std::vector<float>& probe) {
+    const Histogram histogram = histogramOf(exact.empty() ? probe : exact);
+    if (histogram.spread()) design.histograms.emplace(key, histogram);
+  };
+  add("speed_deviation", sample_.speed_mps, design.probe.speed_mps);
+  add("size_deviation", sample_.size_m, design.probe.size_m);
+  add("lifetime_deviation", {}, design.probe.lifetime_s);
+  add("ejection_angle", {}, design.probe.angle_rad);
+}
+
+void Session::showSolo() {
+  std::erase_if(design.solo, [&](const std::string& name) { return findLayer(document.preset(), name) < 0; });
+  if (design.solo.empty()) return;
+  for (const LayerSpan& span : explosion_->layers()) {
+    if (design.shows(span.name)) continue;
+    const auto first = static_cast<std::ptrdiff_t>(span.first), end = static_cast<std::ptrdiff_t>(span.first + span.count);
+    std::fill(frame_.alive.begin() + first, frame_.alive.begin() + end, std::uint8_t{0});
+    std::fill(frame_.size.begin() + first, frame_.size.begin() + end, 0.0f);
+    std::fill(frame_.a.begin() + first, frame_.a.begin() + end, 0.0f);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "app/render/camera.h"
 #include "app/render/renderer.h"
 #include "editor/document/compiler.h"
+#include "editor/document/design.h"
 #include "editor/document/document.h"
 #include "editor/document/folder.h"
 #include "editor/document/playback.h"
@@ -78,6 +79,7 @@ class Session {
   render::Camera camera;
   render::TemplateView template_view = render::TemplateView::surface;
   double template_yaw_rad = 0.6, template_pitch_rad = 0.35;
+  Design design;
   FilePanel files;
   Notices notices;
 
@@ -90,6 +92,8 @@ class Session {
   std::size_t alive() const { return alive_; }
   const LaunchSample& launchSample() const { return sample_; }
   bool compiling() const { return compiler_.busy(); }
+  /// Scripts: nothing depends on how long a frame takes.
+  bool scripted() const { return options_.wait_for_compile; }
   /// True while something changes by itself: time passes, or something is being computed.
   bool moving() const;
 
@@ -149,6 +153,8 @@ class Session {
   void loadNow(const std::filesystem::path& path);
   void takeCompiled();
   void sampleLaunch();
+  void probeLayer();
+  void showSolo();
 
   SessionOptions options_;
   Compiler compiler_;
@@ -157,6 +163,7 @@ class Session {
   std::size_t alive_ = 0;
   LaunchSample sample_;
   std::pair<const Explosion*, int> sampled_{nullptr, -1};  ///< what the sample is of
+  std::pair<std::shared_ptr<const Preset>, int> probed_{nullptr, -1};  ///< what the probe is of
   Frame launch_;
   std::uint64_t requested_revision_ = 0;
   bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not

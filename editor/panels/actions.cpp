@@ -1,6 +1,7 @@
 #include "editor/panels/actions.h"
 
 #include "editor/document/camera_moves.h"
+#include "editor/panels/design_actions.h"
 #include "editor/panels/mission/panels.h"
 #include "editor/panels/panels.h"
 #include "editor/script/parser.h"
@@ -80,10 +81,12 @@ const std::array kCommon{
     Action{"Help", "Keys and mouse", "F1", [](Ui ui) { ui.state.show_help = !ui.state.show_help; }, nullptr, [](Ui ui) { return ui.state.show_help; }},
 };
 
-/// The common actions, then those of the mission mode.
+/// The common actions, then those of designing and of the mission mode.
 const std::vector<Action>& allActions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> out(kCommon.begin(), kCommon.end());
+    const auto design = designActions();
+    out.insert(out.end(), design.begin(), design.end());
     const auto mission = missionActions();
     out.insert(out.end(), mission.begin(), mission.end());
     return out;

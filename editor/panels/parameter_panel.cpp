@@ -1,3 +1,5 @@
+#include "editor/document/clipboard.h"
+#include "editor/panels/design_actions.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
 
@@ -12,9 +14,13 @@ namespace {
 constexpr std::array kOrder{Section::burst, Section::region, Section::launch, Section::time, Section::flight, Section::ground,
                             Section::look, Section::layer, Section::hierarchy, Section::surroundings, Section::about};
 
+/// Searched for, it shows the controls that the thesis's editor had.
+constexpr std::string_view kThesisWord = "1993";
+
 bool contains(std::string_view text, const std::string& word) { return capitals(text).find(word) != std::string::npos; }
 
 bool matches(const Parameter& parameter, const std::string& word) {
+  if (word == kThesisWord) return !parameter.thesis.empty();
   return word.empty() || contains(parameter.label, word) || contains(parameter.key, word) || contains(parameter.thesis, word) || contains(title(parameter.section), word);
 }
 
@@ -34,6 +40,37 @@ std::vector<const Parameter*> rowsOf(const PanelContext& ui, Section section, co
   return out;
 }
 
+/// All parameters of a section back to their defaults, as one step.
+void resetSection(const PanelContext& ui, Section section) {
+  Document& document = ui.session.document;
+  ui.session.took(document.edit("Reset " + std::string(title(section)), {}, [&](Preset& preset) {
+    for (const Parameter& row : parameters()) {
+      if (row.section != section || row.key == "name") continue;
+      if (row.scope == Scope::burst) row.assign(preset, row.initial);
+      else if (document.hasLayer()) row.assign(preset.layers[static_cast<std::size_t>(document.selected())], row.initial);
+    }
+  }));
+}
+
+void sectionMenu(const PanelContext& ui, Section section) {
+  const std::string name(title(section));
+  contextMenu(ui, ("menu:section:" + name).c_str(), [&] {
+    const auto entry = [&](const std::string& label) {
+      const bool chosen = ImGui::MenuItem(label.c_str());
+      ui.item("item:" + label);
+      return chosen;
+    };
+    const Document& document = ui.session.document;
+    if (entry("Copy " + name)) {
+      ImGui::SetClipboardText(sectionText(document.preset(), document.hasLayer() ? &document.layer() : nullptr, section).c_str());
+      ui.session.notices.note = "Copied " + name + " to the clipboard, as text.";
+    }
+    if (entry("Paste")) pasteClipboard(ui);
+    ImGui::Separator();
+    if (entry("Reset " + name)) resetSection(ui, section);
+  });
+}
+
 void drawSection(const PanelContext& ui, Section section, const std::string& word) {
   const auto rows = rowsOf(ui, section, word);
   if (rows.empty()) return;
@@ -44,6 +81,8 @@ void drawSection(const PanelContext& ui, Section section, const std::string& wor
   if (foldingHeading(ui, std::string(title(section)), folded) && word.empty()) {
     if (!ui.state.folded.erase(section)) ui.state.folded.insert(section);
   }
+  ui.resting("section:" + std::string(title(section)), "Click folds it; the right button copies, pastes or resets all its parameters.");
+  sectionMenu(ui, section);
   if (folded) return;
   for (const Parameter* row : rows) drawParameterRow(ui, *row);
   ImGui::Dummy(ImVec2(1, ui.px(6)));
@@ -54,7 +93,7 @@ void drawSearch(const PanelContext& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(ui.state.search.empty() ? width : width - ui.px(30));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(10), std::floor(0.5f * (ui.px(28) - ImGui::GetFontSize()))));
-  ImGui::InputTextWithHint("##search", "find parameter", &ui.state.search);
+  ImGui::InputTextWithHint("##search", "find parameter, or 1993 for the thesis's", &ui.state.search);
   ImGui::PopStyleVar();
   ui.item("field:search");
   if (ui.state.search.empty()) return;

@@ -35,7 +35,7 @@ struct Pose {
 };
 
 Pose poseOf(const Session& session, const Box& box) {
-  const render::TemplateShape shape = render::templateShape(session.document.preset(), session.document.selected());
+  const render::TemplateShape shape = render::templateShape(session.design.ease.shown(), 0);
   return {box, shape, render::TemplateCamera(shape, session.template_yaw_rad, session.template_pitch_rad, static_cast<int>(box.width), static_cast<int>(box.height))};
 }
 
@@ -45,6 +45,9 @@ void drawViewMenu(const PanelContext& ui) {
       if (ImGui::MenuItem(entry.name, nullptr, ui.session.template_view == entry.view)) ui.session.template_view = entry.view;
       ui.item("item:" + std::string(entry.name));
     }
+    ImGui::Separator();
+    if (checkEntry("Particles at t = 0", ui.state.template_particles)) ui.state.template_particles = !ui.state.template_particles;
+    ui.item("item:Particles at t = 0");
   });
 }
 
@@ -68,7 +71,32 @@ void pull(const PanelContext& ui, const Pose& pose) {
   const Parameter& parameter = pose.parameter(ui.state.handle);
   const auto [x, y] = pose.pointer();
   const double value = roundedFor(parameter, pose.camera.dragged(pose.shape, ui.state.handle, x, y));
-  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) ui.session.took(ui.session.document.assign(parameter, value, "template handle"));
+  if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) return;
+  ui.session.took(ui.session.document.assign(parameter, value, "template handle"));
+  // A held handle stays under the pointer.
+  ui.session.design.ease.update(ui.session.document.snapshot(), ui.session.document.selected(), 0.0, true);
+}
+
+/// Where the particles start (t = 0), as dots at the shape's foot: their places in the region, in the proportions in which the foot shows it.
+void drawParticles(const PanelContext& ui, const Pose& pose) {
+  const LaunchProbe& probe = ui.session.design.probe;
+  const double across = std::max(render::extentOfTemplateFoot(pose.shape.foot_x), 1e-6), along = std::max(render::extentOfTemplateFoot(pose.shape.foot_z), 1e-6);
+  const double upward = 0.5 * (pose.shape.foot_x / across + pose.shape.foot_z / along);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(pose.box.at, pose.box.end(), true);
+  const float half = std::max(1.0f, ui.px(probe.x_m.size() > 400 ? 0.8f : 1.2f));
+  const ImU32 colour = faded(ui.theme.text, 0.8f);
+  for (std::size_t i = 0; i < probe.x_m.size(); ++i) {
+    const double y = std::clamp(upward * static_cast<double>(probe.y_m[i]), -pose.shape.height, pose.shape.height);
+    Vec3 point = pose.shape.frame({pose.shape.foot_x * static_cast<double>(probe.x_m[i]) / across, y, pose.shape.foot_z * static_cast<double>(probe.z_m[i]) / along});
+    // The sphere's region is shown on the base plane below it.
+    if (pose.shape.ball) point.y = 0.0;
+    const auto at = pose.camera.project(point);
+    const ImVec2 centre{pose.box.at.x + static_cast<float>(at.x), pose.box.at.y + static_cast<float>(at.y)};
+    list.AddRectFilled({centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, colour);
+  }
+  list.PopClipRect();
+  ui.item("template:particles", pose.box.at, pose.box.end());
 }
 
 /// The value beside the pointer while a handle is held or pointed at.
@@ -111,6 +139,7 @@ void drawTemplatePanel(const PanelContext& ui) {
     rowText({box.at.x + ui.px(12), box.at.y}, box.width - ui.px(24), box.height, ui.theme.dim, "A layer gives it a shape.");
     return;
   }
+  if (ui.session.design.ease.shown().layers.empty()) return;  // a layer that this frame added is shown by the next
   interact(ui, poseOf(ui.session, box));
   drawViewMenu(ui);
   if (const ImTextureID texture = ui.pictures.shape(ui.session, ui.state.handle, static_cast<int>(box.width), static_cast<int>(box.height)))
@@ -118,6 +147,7 @@ void drawTemplatePanel(const PanelContext& ui) {
   ImGui::PushFont(ui.fonts.small);
   rowText({box.at.x + ui.px(10), box.at.y + ui.px(2)}, box.width - ui.px(20), ui.px(22), ui.theme.dim, ui.session.document.layer().name + ", " + kViews[static_cast<std::size_t>(ui.session.template_view)].name);
   const Pose now = poseOf(ui.session, box);
+  if (ui.state.template_particles) drawParticles(ui, now);
   if (ui.state.handle != TemplateHandle::none && now.shape.hasHandle(ui.state.handle)) drawValue(ui, now, ui.state.handle);
   ImGui::PopFont();
 }

@@ -7,7 +7,7 @@
 namespace npsee::editor {
 namespace {
 
-constexpr std::array<ScriptCommandInfo, 19> kCommands{{
+constexpr std::array<ScriptCommandInfo, 20> kCommands{{
     {"set", "PARAM VALUE", 2, 2, "Types VALUE, with any fitting unit, into the parameter's row. PARAM is LAYER.key or a burst key; also `time`."},
     {"drag", "ITEM DX [DY]", 2, 3, "Presses on the item (a parameter: on its slider's thumb), moves by DX, DY pixels and releases."},
     {"click", "ITEM", 1, 1, "Clicks the middle of a named item."},
@@ -18,6 +18,7 @@ constexpr std::array<ScriptCommandInfo, 19> kCommands{{
     {"hold", "ctrl|shift|alt", 1, 1, "Holds a modifier down over the following commands."},
     {"let", "ctrl|shift|alt", 1, 1, "Lets it go."},
     {"type", "TEXT", 1, 1, "Types the rest of the line."},
+    {"clipboard", "TEXT", 0, 1, "Puts the rest of the line into the clipboard."},
     {"wait", "FRAMES", 1, 1, "Lets so many frames of 1/60 s pass."},
     {"mouse", "X Y", 2, 2, "Moves the pointer, pixels from the top left."},
     {"press", "[left|right|middle]", 0, 1, "Holds a mouse button down."},

@@ -107,6 +107,8 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
   } else if (name == "type") {
     steps_.push_back({.text = command.arguments[0]});
     steps_.push_back({});
+  } else if (name == "clipboard") {
+    ImGui::SetClipboardText(command.arguments.empty() ? "" : command.arguments[0].c_str());
   } else if (name == "save") {
     steps_.push_back({.picture = command.arguments[0]});
   } else if (name == "note") {

@@ -75,6 +75,12 @@ struct UiState {
   std::set<std::string> unfolded;  ///< curves and gradients whose points are listed
   render::TemplateHandle handle = render::TemplateHandle::none;  ///< of the template, under the pointer or held
   std::string seen_layer;  ///< the selected one; another one is scrolled into view
+  bool template_particles = true;  ///< the template shows where particles start
+  /// The layer being dragged in the list, and where it would go.
+  struct LayerDrag {
+    std::string name;
+    bool moving = false;
+  } layer_drag;
   bool rename_layer = false;  ///< the selected layer's name is being edited
   MissionUi mission;
 };

@@ -88,6 +88,44 @@ void drawMark(const Pen& p, Icon icon) {
   }
 }
 
+void drawLock(const Pen& p, bool open) {
+  p.line({{-0.5f, -0.05f}, {0.5f, -0.05f}, {0.5f, 0.75f}, {-0.5f, 0.75f}}, true);
+  if (!open) p.bar(-0.5f, -0.05f, 0.5f, 0.75f);
+  p.arc(open ? 0.32f : 0.0f, -0.2f, 0.32f, -3.1415927f, 0.0f);
+  p.line({{open ? 0.0f : -0.32f, -0.2f}, {open ? 0.0f : -0.32f, -0.05f}});
+  if (!open) p.line({{0.32f, -0.2f}, {0.32f, -0.05f}});
+}
+
+void drawDesign(const Pen& p, Icon icon) {
+  switch (icon) {
+    case Icon::solo: p.arc(0.0f, 0.0f, 0.62f, 0.0f, 6.2831853f); return p.list.AddCircleFilled(p.centre, 0.24f * p.half, p.colour, 12);
+    case Icon::lock: return drawLock(p, false);
+    case Icon::lock_open: return drawLock(p, true);
+    case Icon::dice:
+      p.line({{-0.7f, -0.7f}, {0.7f, -0.7f}, {0.7f, 0.7f}, {-0.7f, 0.7f}}, true);
+      for (const float d : {-0.35f, 0.0f, 0.35f}) p.list.AddCircleFilled(p.at(d, d), std::max(1.0f, 0.14f * p.half), p.colour, 8);
+      return;
+    case Icon::seed:
+      for (int i = 0; i < 6; ++i) {
+        const float angle = 1.0471976f * static_cast<float>(i);
+        p.line({{0.25f * std::cos(angle), 0.25f * std::sin(angle)}, {0.8f * std::cos(angle), 0.8f * std::sin(angle)}});
+      }
+      return;
+    case Icon::paste:
+      p.line({{-0.6f, -0.6f}, {0.6f, -0.6f}, {0.6f, 0.8f}, {-0.6f, 0.8f}}, true);
+      return p.bar(-0.28f, -0.8f, 0.28f, -0.4f);
+    case Icon::flip:
+      p.line({{0.0f, -0.8f}, {0.0f, 0.8f}});
+      p.triangle({-0.25f, -0.5f}, {-0.25f, 0.5f}, {-0.85f, 0.0f});
+      return p.line({{0.25f, -0.5f}, {0.25f, 0.5f}, {0.85f, 0.0f}}, true);
+    case Icon::grid:
+      for (const float x : {-0.55f, 0.0f, 0.55f})
+        for (const float y : {-0.55f, 0.0f, 0.55f}) p.bar(x - 0.18f, y - 0.18f, x + 0.18f, y + 0.18f);
+      return;
+    default: return;
+  }
+}
+
 }  // namespace
 
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
@@ -95,6 +133,7 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
   if (icon <= Icon::loop) return drawTransport(pen, icon);
   if (icon == Icon::eye || icon == Icon::eye_off) return drawEye(pen, icon == Icon::eye);
   if (icon == Icon::copy || icon == Icon::bin || icon == Icon::folder || icon == Icon::file) return drawPaper(pen, icon);
+  if (icon >= Icon::solo) return drawDesign(pen, icon);
   drawMark(pen, icon);
 }
 
