@@ -3,6 +3,9 @@
 #include "sim/core/parallel.h"
 #include "sim/explosion/compile.h"
 #include "sim/explosion/extent.h"
+#include "sim/preset/validate.h"
+
+#include <npsee/units.h>
 
 #include <algorithm>
 #include <mutex>
@@ -118,6 +121,10 @@ Explosion::~Explosion() = default;
 
 Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& preset, std::optional<std::uint64_t> seed, const Ground* ground, const CompileOptions& options) {
   if (std::vector<Fault> faults = validate(preset); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
+  if (const double most = particleBudget(preset); most > options.max_particles)
+    return fail(ErrorKind::input, "the layers start " + shortest(most) + " particles, above the caller's limit of " + shortest(options.max_particles) + ".", "Lower a density or count.");
+  if (const double most = memoryBudget(preset); most > options.max_bytes)
+    return fail(ErrorKind::input, "the layers may take " + shortest(most) + " bytes with all their bounces, above the caller's limit of " + shortest(options.max_bytes) + ".", "Lower a bounce_limit, density or count.");
   const FlatGround flat(preset.ground_height_m);
   const Ground& surface = ground != nullptr ? *ground : flat;
 

@@ -30,9 +30,9 @@ std::vector<std::string> line(const std::string& text, const std::string& first)
 class Consumer : public testing::Test {
  protected:
   ProcessResult cmake(const std::vector<std::string>& arguments) { return test::run(NPSEE_CMAKE, arguments, {{"CMAKE_PREFIX_PATH", ""}, {"DESTDIR", ""}}); }
-  ProcessResult configure() {
+  ProcessResult configure(const std::string& only_c = "OFF") {
     return cmake({"-S", std::string(NPSEE_SOURCE_DIR) + "/tests/consumer", "-B", folder_ / "build", "-DCMAKE_PREFIX_PATH=" + folder_ / "installed", std::string("-DCMAKE_CXX_COMPILER=") + NPSEE_COMPILER,
-                  std::string("-DCMAKE_CXX_FLAGS=") + NPSEE_FLAGS, "-DCMAKE_BUILD_TYPE=Debug"});
+                  std::string("-DCMAKE_C_COMPILER=") + NPSEE_C_COMPILER, std::string("-DCMAKE_CXX_FLAGS=") + NPSEE_FLAGS, std::string("-DCMAKE_C_FLAGS=") + NPSEE_FLAGS, "-DCMAKE_BUILD_TYPE=Debug", "-DONLY_C=" + only_c});
   }
   test::TemporaryFolder folder_;
 };
@@ -76,6 +76,29 @@ TEST_F(Consumer, AnInstalledLibraryGivesTheToolsResults) {
   const auto fought = line(run.out, "events");
   ASSERT_EQ(fought.size(), 6u) << run.out;
   EXPECT_EQ(fought[5], missionRun(mission).hash());
+
+  const auto in_c = test::run(folder_ / "build/c_consumer", {"mission", mission});
+  EXPECT_EQ(in_c.exit_code, 0) << in_c.err;
+  EXPECT_EQ(in_c.out, test::npseeRun({"mission", mission}).out);
+}
+
+TEST_F(Consumer, AProgramInCNeedsOnlyTheSharedLibrary) {
+  for (const char* component : {"library", "development"}) {
+    const auto installed = cmake({"--install", NPSEE_BUILD_DIR, "--prefix", folder_ / "installed", "--component", component});
+    ASSERT_EQ(installed.exit_code, 0) << installed.err;
+  }
+  // With this component nothing that npsee::sim links is looked for.
+  const auto configured = configure("ON");
+  ASSERT_EQ(configured.exit_code, 0) << configured.err;
+  const auto built = cmake({"--build", folder_ / "build"});
+  ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+  const auto refused = test::run(folder_ / "build/c_consumer", {"errors"});
+  EXPECT_EQ(refused.exit_code, 0) << refused.err;
+  const std::string preset = std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json";
+  const auto installed = test::run(folder_ / "build/c_consumer", {"particles", preset, "0.5", "1"}), ours = test::run(NPSEE_C_CONSUMER, {"particles", preset, "0.5", "1"});
+  EXPECT_EQ(installed.exit_code, 0) << installed.err;
+  EXPECT_FALSE(installed.out.empty());
+  EXPECT_EQ(installed.out, ours.out);
 }
 
 TEST_F(Consumer, WithoutAnInstalledLibraryCMakeSaysSo) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,8 @@ struct Extent {
 struct CompileOptions {
   int threads = 1;            ///< at least 1; the result has equal bits for every number
   bool force_baseline = false;  ///< use the baseline instruction set even where AVX2 is present (for tests)
+  double max_particles = std::numeric_limits<double>::infinity();  ///< budget of the caller, below kMaxParticles: a preset that may start more is refused
+  double max_bytes = std::numeric_limits<double>::infinity();      ///< likewise for the memory it may take with all its bounces, bytes
 };
 
 /// A preset with all random draws made and all ground contacts found. Immutable; every member function is thread-safe and
@@ -65,7 +68,7 @@ struct CompileOptions {
 class Explosion {
  public:
   /// Compiles `preset` with `seed` (the preset's own if empty) over `ground` (flat at the preset's ground height if null).
-  /// Errors (input): an invalid preset, or one over the particle limit.
+  /// Errors (input): an invalid preset, or one over the particle limit or a budget of `options`; nothing has been allocated then.
   static Expected<std::shared_ptr<const Explosion>> compile(const Preset& preset,
                                                             std::optional<std::uint64_t> seed = std::nullopt,
                                                             const Ground* ground = nullptr,

@@ -1,0 +1,134 @@
+// The C interface gives what the command line gives, to the bit, and refuses every misuse. A program in C and a script of Python's ctypes
+// use it as others would.
+
+#include "tests/scenario/mission_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <sstream>
+
+namespace npsee {
+namespace {
+
+using test::npseeRun;
+
+/// Words of each line.
+std::vector<std::vector<std::string>> rowsOf(const std::string& text, char separator) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    auto& row = rows.emplace_back();
+    for (std::string word; std::getline(words, word, separator);) row.push_back(word);
+  }
+  return rows;
+}
+
+bool sameBits(const std::string& a, const std::string& b) {
+  const double one = std::stod(a), other = std::stod(b);
+  return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+/// What the interface printed against the table of `npsee particles`: alive, age to a, bounces.
+void expectSameParticles(const std::string& ours, const std::vector<std::string>& command) {
+  const auto told = npseeRun(command);
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  auto table = rowsOf(told.out, ',');
+  table.erase(table.begin());
+  const auto rows = rowsOf(ours, ' ');
+  ASSERT_EQ(rows.size(), table.size());
+  ASSERT_GE(rows.size(), 100u);
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), 14u);
+    ASSERT_EQ(table[i].size(), 16u);
+    ASSERT_EQ(rows[i][0], table[i][2]) << "particle " << i;
+    alive += rows[i][0] == "1";
+    for (std::size_t k = 1; k <= 12; ++k) ASSERT_TRUE(sameBits(rows[i][k], table[i][k + 2])) << "particle " << i << ", column " << k << ": " << rows[i][k] << " and " << table[i][k + 2];
+    ASSERT_EQ(rows[i][13], table[i][15]) << "particle " << i;
+  }
+  EXPECT_GT(alive, 0u);
+}
+
+std::string presetFile(const std::string& name) { return std::string(NPSEE_SOURCE_DIR) + "/presets/" + name + ".npsee.json"; }
+
+/// Value behind a word at the beginning of a line.
+std::string valueOf(const std::string& text, const std::string& name) {
+  for (const auto& row : rowsOf(text, ' '))
+    if (row.size() == 2 && row[0] == name) return row[1];
+  return "nan";
+}
+
+TEST(CInterface, ParticlesHaveTheBitsOfTheCommandLine) {
+  for (const char* name : {"classic_1993", "cascade"}) {
+    SCOPED_TRACE(name);
+    const auto run = test::run(NPSEE_C_CONSUMER, {"particles", presetFile(name), "0.7", "3"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    expectSameParticles(run.out, {"particles", presetFile(name), "--time", "0.7"});
+  }
+}
+
+TEST(CInterface, SettingsCountAsOnTheCommandLine) {
+  const auto run = test::run(NPSEE_C_CONSUMER, {"particles", presetFile("classic_1993"), "1.2", "1", "fragments.speed_mean=90km/h"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expectSameParticles(run.out, {"particles", presetFile("classic_1993"), "--time", "1.2", "--set", "fragments.speed_mean=90km/h"});
+}
+
+TEST(CInterface, PythonsCtypesGetTheBitsOfTheCommandLine) {
+#ifdef NPSEE_SANITIZED
+  GTEST_SKIP() << "an interpreter without sanitizers cannot load a library with them";
+#else
+  const auto run = test::run(NPSEE_PYTHON, {std::string(NPSEE_SOURCE_DIR) + "/tests/consumer/particles.py", NPSEE_C_LIBRARY, presetFile("classic_1993"), "0.7"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expectSameParticles(run.out, {"particles", presetFile("classic_1993"), "--time", "0.7"});
+#endif
+}
+
+TEST(CInterface, AFlightAndAnAimHaveTheBitsOfTheCommandLine) {
+  const auto flown = test::run(NPSEE_C_CONSUMER, {"fly", "5W", "0.75"});
+  ASSERT_EQ(flown.exit_code, 0) << flown.err;
+  const auto told = nlohmann::json::parse(npseeRun({"fly", "--charge", "5W", "--qe", "0.75rad", "--json"}).out);
+  for (const char* key : {"range_m", "time_of_flight_s", "drift_m"}) EXPECT_EQ(std::stod(valueOf(flown.out, key)), told.at(key).get<double>()) << key;
+  EXPECT_NEAR(std::stod(valueOf(flown.out, "last_x_m")), told.at("range_m").get<double>(), 1e-3) << "the path ends at the impact";
+
+  const auto aimed = test::run(NPSEE_C_CONSUMER, {"aim", "5W", "6000"});
+  ASSERT_EQ(aimed.exit_code, 0) << aimed.err;
+  const auto solved = nlohmann::json::parse(npseeRun({"aim", "--charge", "5W", "--range", "6000", "--solution", "low", "--json"}).out);
+  EXPECT_EQ(std::stod(valueOf(aimed.out, "elevation_rad")), solved.at("solutions")[0].at("elevation_rad").get<double>());
+  EXPECT_TRUE(test::run(NPSEE_C_CONSUMER, {"aim", "5W", "60000"}).out.starts_with("out of reach: "));
+}
+
+TEST(CInterface, AMissionsEventsAreTheLogOfTheCommandLine) {
+  const std::string file = std::string(NPSEE_SOURCE_DIR) + "/assets/missions/thesis_default.mission.json";
+  const auto run = test::run(NPSEE_C_CONSUMER, {"mission", file});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, npseeRun({"mission", file}).out);
+  EXPECT_NE(run.out.find("\"ev\":\"end\""), std::string::npos);
+}
+
+TEST(CInterface, EveryMisuseIsRefusedWithAText) {
+  const auto run = test::run(NPSEE_C_CONSUMER, {"errors"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_TRUE(run.out.starts_with("refused ")) << run.out;
+  EXPECT_GE(std::stoi(run.out.substr(8)), 50);
+}
+
+TEST(CInterface, OnlyItsFunctionsCanBeSeenInTheLibrary) {
+  const auto symbols = test::run(NPSEE_NM, {"-D", "--defined-only", NPSEE_C_LIBRARY});
+  ASSERT_EQ(symbols.exit_code, 0) << symbols.err;
+  const std::string header = test::slurp(std::string(NPSEE_SOURCE_DIR) + "/sim/include/npsee/c.h");
+  std::size_t functions = 0;
+  for (const auto& row : rowsOf(symbols.out, ' ')) {
+    ASSERT_EQ(row.size(), 3u);
+    const std::string name = row[2].substr(0, row[2].find('@'));
+    EXPECT_TRUE(name.starts_with("npsee_") && header.find(name + "(") != std::string::npos) << name << " can be seen, and npsee/c.h does not declare it";
+    ++functions;
+  }
+  std::size_t declared = 0;
+  for (std::size_t at = 0; (at = header.find("\nNPSEE_API ", at)) != std::string::npos; ++at) ++declared;
+  EXPECT_EQ(functions, declared) << "every function that npsee/c.h declares is in the library";
+}
+
+}  // namespace
+}  // namespace npsee
