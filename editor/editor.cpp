@@ -3,6 +3,7 @@
 #include "editor/layout.h"
 #include "editor/mission/session.h"
 #include "editor/panels/panels.h"
+#include "editor/remember.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -89,11 +90,12 @@ Colour colourOf(ImU32 packed) {
 }  // namespace
 
 struct Editor::Impl {
-  Impl(const EditorOptions& chosen, std::unique_ptr<render::Renderer> made, Fonts loaded, DrawDataRenderer drawer)
-      : options(chosen), session({chosen.library, chosen.scripted, chosen.missions}), renderer(std::move(made)), fonts(loaded), panels(std::move(drawer)), pictures(*renderer) {}
+  Impl(const EditorOptions& chosen, std::unique_ptr<Desk> found, std::unique_ptr<render::Renderer> made, Fonts loaded, DrawDataRenderer drawer)
+      : options(chosen), session({chosen.library, chosen.scripted, chosen.missions}), desk(std::move(found)), renderer(std::move(made)), fonts(loaded), panels(std::move(drawer)), pictures(*renderer) {}
 
   EditorOptions options;
   Session session;
+  std::unique_ptr<Desk> desk;
   UiState state;
   Items items;
   std::unique_ptr<render::Renderer> renderer;
@@ -104,15 +106,16 @@ struct Editor::Impl {
 };
 
 Editor::Editor(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Editor::~Editor() = default;
+Editor::~Editor() { impl_->desk->finish(impl_->session.quitting()); }
 
-Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options) {
+Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options, std::unique_ptr<Desk> desk) {
   const Fonts fonts = loadFonts(options.scale);
   auto renderer = render::Renderer::create();
   if (!renderer) return tl::unexpected<Error>(renderer.error());
   auto panels = DrawDataRenderer::create();
   if (!panels) return tl::unexpected<Error>(panels.error());
-  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, std::move(*renderer), fonts, std::move(*panels))));
+  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, desk ? std::move(desk) : std::make_unique<Desk>(options.folders, options.scripted), std::move(*renderer), fonts, std::move(*panels))));
+  bringIn(out->desk().settings, out->state());
   Session& session = out->session();
   const bool mission = isMissionFile(options.file);
   if (!options.file.empty())
@@ -140,12 +143,14 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   my.items.beginFrame();
   my.state.hint.clear();
   my.state.hover.seen = false;
-  const PanelContext ui{my.session, my.state, my.items, my.pictures, my.theme, my.fonts, my.options.scale, elapsed_s, frame_ms};
+  const PanelContext ui{my.session, *my.desk, my.state, my.items, my.pictures, my.theme, my.fonts, my.options.scale, elapsed_s, frame_ms};
   handleKeys(ui);
   my.session.update(elapsed_s);
+  my.desk->update(elapsed_s, my.session);
   ImGui::PushFont(my.fonts.text);
   drawLayout(ui);
   ImGui::PopFont();
+  noteDown(my.state, my.desk->settings);
   // A drag is over when nothing is held any more: what it changed is one step of the history.
   if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !my.state.mission.driving.keys) my.session.endMerge();
   if (!std::exchange(my.state.typing.shown, false)) my.state.typing = {};
@@ -161,6 +166,8 @@ const Session& Editor::session() const { return impl_->session; }
 UiState& Editor::state() { return impl_->state; }
 const UiState& Editor::state() const { return impl_->state; }
 Items& Editor::items() { return impl_->items; }
+Desk& Editor::desk() { return *impl_->desk; }
+const Desk& Editor::desk() const { return *impl_->desk; }
 
 float fittingScale(float wished, int width, int height) {
   return std::max(0.75f, std::min({wished, static_cast<float>(width) / 880.0f, static_cast<float>(height) / 550.0f}));

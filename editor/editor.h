@@ -19,7 +19,8 @@ namespace npsee::editor {
 class Editor {
  public:
   /// Loads fonts, shaders and the file. Errors: graphics, input.
-  static Expected<std::unique_ptr<Editor>> create(const EditorOptions& options);
+  static Expected<std::unique_ptr<Editor>> create(const EditorOptions& options, std::unique_ptr<Desk> desk = nullptr);
+  /// Keeps the settings; unsaved work stays for the next start unless it was asked about.
   ~Editor();
 
   /// One frame between ImGui::NewFrame and ImGui::Render: `elapsed_s` passes, keys and panels act. Without `pictures` the
@@ -34,6 +35,8 @@ class Editor {
   UiState& state();
   const UiState& state() const;
   Items& items();
+  Desk& desk();
+  const Desk& desk() const;
 
   /// What scripts can ask for, by name: camera, time, undo steps, title, ...
   std::vector<std::pair<std::string, std::string>> facts() const;

@@ -80,6 +80,16 @@ void addMission(const MissionSession& mission, const UiState& state, Facts& out)
                          {"correct.right", shortest(said.right_m)}, {"correct.add", shortest(said.add_m)}});
 }
 
+/// What lies around the documents.
+void addDesk(const Editor& editor, Facts& out) {
+  constexpr const char* kSheets[] = {"none", "history", "find", "messages", "export"};
+  const Recovery& recovery = editor.desk().recovery();
+  out.insert(out.end(), {
+      {"autosaved", yes(recovery.safe(editor.session()))}, {"unsaved", std::to_string(recovery.found().size())}, {"outside", yes(editor.session().outside())},
+      {"sheet", kSheets[static_cast<int>(editor.state().desk.sheet)]}, {"theme", editor.state().light ? "light" : "dark"},
+  });
+}
+
 }  // namespace
 
 Facts Editor::facts() const {
@@ -96,6 +106,7 @@ Facts Editor::facts() const {
       {"files", kModes[static_cast<int>(session.files.mode)]},
       {"error", session.notices.error}, {"note", session.notices.note}, {"hint", state().hint}, {"clipboard", ImGui::GetClipboardText() != nullptr ? ImGui::GetClipboardText() : ""}, {"typing", state().typing.name},
   });
+  addDesk(*this, out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "editor/layout.h"
 
 #include "editor/layout_parts.h"
+#include "editor/panels/desk/sheets.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ struct Columns {
 /// Widths in pixels: the side panels as wished, but the viewport keeps the middle.
 Columns columnsOf(const PanelContext& ui, float width) {
   Columns out;
-  const bool left = ui.state.show_left || ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help;
-  const float wish = ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help ? std::max(ui.state.left_width, 300.0f) : ui.state.left_width;
+  const bool left = ui.state.show_left || ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help || sheetOpen(ui);
+  const float wish = ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help || sheetOpen(ui) ? std::max(ui.state.left_width, 300.0f) : ui.state.left_width;
   if (left) out.left = std::floor(std::clamp(ui.px(wish), ui.px(180), std::max(ui.px(180), 0.26f * width)));
   if (ui.state.show_right) out.right = std::floor(std::clamp(ui.px(ui.state.right_width), ui.px(290), std::max(ui.px(290), 0.36f * width)));
   out.middle = width - out.left - out.right - ui.px(kBar) * static_cast<float>((left ? 1 : 0) + (ui.state.show_right ? 1 : 0));
@@ -39,6 +40,7 @@ Columns columnsOf(const PanelContext& ui, float width) {
 void drawLeft(const PanelContext& ui, ImVec2 at, ImVec2 size) {
   if (ui.session.files.mode != FilePanel::Mode::closed) return panel(ui, "files", at, size, drawFilePanel);
   if (ui.state.show_help) return panel(ui, "help", at, size, drawHelpPanel);
+  if (sheetOpen(ui)) return panel(ui, "sheet", at, size, drawSheet);
   const float bar = ui.px(kBar);
   const float below = std::floor(std::clamp(ui.px(ui.state.template_height), ui.px(120), std::max(ui.px(120), size.y - ui.px(120))));
   panel(ui, "library", at, {size.x, size.y - below - bar}, drawLibraryPanel);

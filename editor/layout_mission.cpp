@@ -1,5 +1,6 @@
 #include "editor/layout_parts.h"
 
+#include "editor/panels/desk/sheets.h"
 #include "editor/panels/mission/panels.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
@@ -31,6 +32,7 @@ void stacked(const PanelContext& ui, const std::string& name, ImVec2 at, ImVec2 
 void drawMissionLeft(const PanelContext& ui, ImVec2 at, ImVec2 size) {
   if (ui.session.files.mode != FilePanel::Mode::closed) return panel(ui, "files", at, size, drawFilePanel);
   if (ui.state.show_help) return panel(ui, "help", at, size, drawHelpPanel);
+  if (sheetOpen(ui)) return panel(ui, "sheet", at, size, drawSheet);
   stacked(ui, "plan", at, size, ui.state.mission.plan_height, 0.55f, [&](ImVec2 a, ImVec2 s) { panel(ui, "objects", a, s, drawObjectsPanel); }, [&](ImVec2 a, ImVec2 s) { panel(ui, "plan", a, s, drawPlanPanel); });
 }
 
@@ -52,7 +54,7 @@ void drawMissionRegions(const PanelContext& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float time_height = ui.px(60), status_height = ui.px(26), bar = ui.px(kBar);
   const float height = std::max(room.y - time_height - status_height, ui.px(100));
-  const bool left_shown = ui.state.show_left || ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help;
+  const bool left_shown = ui.state.show_left || ui.session.files.mode != FilePanel::Mode::closed || ui.state.show_help || sheetOpen(ui);
   const float left = left_shown ? clampedWidth(ui, my.left_width, kLeastLeft, kLeftShare * room.x) : 0.0f;
   const float right = ui.state.show_right ? clampedWidth(ui, my.right_width, kLeastRight, kRightShare * room.x) : 0.0f;
   float x = at.x;

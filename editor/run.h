@@ -1,5 +1,7 @@
 #pragma once
 
+#include "editor/desk/folders.h"
+
 #include <npsee/error.h>
 
 #include <filesystem>
@@ -15,6 +17,7 @@ struct EditorOptions {
   std::filesystem::path missions = {};  ///< folder of the shipped missions; empty = none
   std::optional<double> time_s;   ///< start paused at this moment instead of playing
   float scale = 1.0f;             ///< of the display
+  DeskFolders folders = {};       ///< where settings, unsaved work and thumbnails are kept; empty = nowhere
   bool scripted = false;          ///< every frame waits for the compiler, nothing measured is shown
 };
 
@@ -34,6 +37,7 @@ Expected<int> runHeadless(const HeadlessOptions& options, const std::function<vo
 struct WindowedOptions {
   EditorOptions editor;
   int width = 1440, height = 900;
+  bool sized = false;        ///< that size was asked for; otherwise the last one is taken
   bool print_state = false;  ///< print the facts when the window closes
 };
 /// Opens the window and returns when it is closed. Errors: graphics (no display), input.

@@ -32,14 +32,17 @@ float drawFrame(Editor& editor, WindowInput& input, GLFWwindow* window, std::opt
 void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
   std::string title;
   std::optional<float> ms;
+  // The cross in the title bar speaks after what was typed and clicked before it: that waits in queues, and acts in the frame after.
+  int until_closed = -1;
   while (!editor.session().quitting()) {
     // While nothing moves by itself, a frame is drawn for input, and now and then for tooltips and clicks that wait.
-    if (editor.session().moving() || input.waiting()) glfwPollEvents();
+    if (editor.session().moving() || input.waiting() || until_closed >= 0) glfwPollEvents();
     else glfwWaitEventsTimeout(0.05);
     if (glfwWindowShouldClose(window) != GLFW_FALSE) {
       glfwSetWindowShouldClose(window, GLFW_FALSE);
-      editor.session().quit();
+      until_closed = 2;
     }
+    if (until_closed >= 0 && !input.waiting() && until_closed-- == 0) editor.session().quit();
     const float measured = drawFrame(editor, input, window, ms);
     ms = ms ? *ms + 0.1f * (measured - *ms) : measured;
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
@@ -49,7 +52,10 @@ void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
 }  // namespace
 
 Expected<void> runWindow(const WindowedOptions& options, const std::function<void(const std::string&)>& print) {
-  auto context = gl::makeWindowContext({"npsee", options.width, options.height});
+  auto desk = std::make_unique<Desk>(options.editor.folders, false);
+  const Settings& last = desk->settings;
+  const bool known = !options.sized && last.window_width >= 800.0 && last.window_height >= 500.0;
+  auto context = gl::makeWindowContext({"npsee", known ? static_cast<int>(last.window_width) : options.width, known ? static_cast<int>(last.window_height) : options.height});
   if (!context) return tl::unexpected<Error>(context.error());
   (*context)->makeCurrent();
   GLFWwindow* window = (*context)->window();
@@ -62,9 +68,12 @@ Expected<void> runWindow(const WindowedOptions& options, const std::function<voi
   int shown_width = options.width, shown_height = options.height;
   glfwGetFramebufferSize(window, &shown_width, &shown_height);
   chosen.scale = fittingScale(chosen.scale * std::clamp(across, 1.0f, 4.0f), shown_width, shown_height);
-  auto editor = Editor::create(chosen);
+  auto editor = Editor::create(chosen, std::move(desk));
   if (!editor) return tl::unexpected<Error>(editor.error());
   runLoop(**editor, input, window);
+  glfwGetWindowSize(window, &shown_width, &shown_height);
+  (*editor)->desk().settings.window_width = shown_width;
+  (*editor)->desk().settings.window_height = shown_height;
   if (options.print_state)
     for (const auto& [name, value] : (*editor)->facts()) print(name + '=' + value);
   return {};

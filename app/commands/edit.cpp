@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string file, script, screenshot, library, size = "1440x900", time, scale = "1";
-  bool headless = false, print_state = false;
+  std::string file, script, screenshot, library, size, time, scale = "1";
+  bool headless = false, print_state = false, remember = false;
 };
 
 /// Folder of what is shipped ("presets", "assets/missions"): beside the executable, below its prefix, or in the source tree it was built
@@ -53,6 +53,8 @@ Expected<editor::EditorOptions> editorOptions(const Options& options) {
   out.file = options.file;
   out.library = options.library.empty() ? shipped("presets") : fs::path(options.library);
   out.missions = options.library.empty() ? shipped(fs::path("assets") / "missions") : fs::path(options.library);
+  // A script is to show the same pictures for everybody, whatever they have set.
+  if (!options.headless || options.remember) out.folders = editor::xdgFolders();
   std::error_code ignored;
   if (!options.library.empty() && !fs::is_directory(options.library, ignored)) return fail(ErrorKind::input, "--library " + options.library + " is no folder.", "Name a folder with presets.");
   if (!options.time.empty()) {
@@ -70,7 +72,8 @@ int edit(const Options& options) {
   const bool needs_headless = !options.script.empty() || !options.screenshot.empty();
   if (needs_headless && !options.headless) return report(fail(ErrorKind::usage, "--script and --screenshot work without a window.", "Add --headless.").value());
   if (options.headless && !needs_headless) return report(fail(ErrorKind::usage, "--headless alone has nothing to do.", "Add --script FILE, --screenshot PICTURE.png, or both.").value());
-  const auto size = parseSize(options.size);
+  if (options.remember && !options.headless) return report(fail(ErrorKind::usage, "--remember belongs to --headless.", "The window always remembers; set XDG_CONFIG_HOME, XDG_STATE_HOME and XDG_CACHE_HOME to keep things elsewhere.").value());
+  const auto size = parseSize(options.size.empty() ? "1440x900" : options.size);
   if (!size) return report(size.error());
   const auto chosen = editorOptions(options);
   if (!chosen) return report(chosen.error());
@@ -79,7 +82,7 @@ int edit(const Options& options) {
     if (printed == 0) printed = writeResult(line + '\n');
   };
   if (!options.headless) {
-    const auto done = editor::runWindow({*chosen, size->first, size->second, options.print_state}, print);
+    const auto done = editor::runWindow({*chosen, size->first, size->second, !options.size.empty(), options.print_state}, print);
     return done ? printed : report(done.error());
   }
   const auto code = editor::runHeadless({*chosen, size->first, size->second, options.script, options.screenshot}, print);
@@ -104,10 +107,11 @@ void addEdit(CLI::App& app, Outcome& outcome) {
   command->add_flag("--headless", options->headless, "No window: run a script on the software renderer");
   command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
   command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");
-  command->add_option("--size", options->size, "Size of the window in pixels; 1440x900 by default")->type_name("WxH");
+  command->add_option("--size", options->size, "Size of the window in pixels; that of the last time, at first 1440x900")->type_name("WxH");
   command->add_option("--library", options->library, "Folder whose presets and missions the library lists; the shipped ones by default")->type_name("FOLDER");
   command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");
   command->add_option("--scale", options->scale, "Scale of the panels, on top of the display's own; 1 by default, less where the window is too small for it")->type_name("FACTOR");
+  command->add_flag("--remember", options->remember, "With --headless: keep settings, unsaved work and thumbnails in the XDG folders, as the window does");
   command->add_flag("--print-state", options->print_state, "Print the editor's state when the window is closed");
   command->footer(footer());
   command->callback([options, &outcome] { outcome.exit_code = edit(*options); });

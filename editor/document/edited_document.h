@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/file_document.h"
+#include "editor/document/file_stamp.h"
 #include "editor/document/history.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace npsee::editor {
 ///
 /// `State` is a moment of it: a small value with `content`, a shared_ptr<const Content>, and what goes with it, such as what is
 /// selected. It also says how that kind of document is made and filed: types and functions `Content`, `kWhat`, `kEnding`, `fresh()`,
-/// `read(path)`, `write(content, path)`, and `settle()`, which makes the rest fit a new content.
+/// `read(path)`, `write(content, path)`, `text(content)`, `parse(text, path)`, and `settle()`, which makes the rest fit a new content.
 template <class State>
 class EditedDocument : public FileDocument {
  public:
@@ -26,8 +27,8 @@ class EditedDocument : public FileDocument {
 
   const Content& content() const { return *now_.content; }
   std::shared_ptr<const Content> snapshot() const { return now_.content; }
-  /// Differs after every change, undo and load included.
-  std::uint64_t revision() const { return revision_; }
+  std::uint64_t revision() const override { return revision_; }
+  std::string text() const override { return State::text(content()); }
 
   /// Applies `change` to a copy and takes it over if it is valid and differs. `label` names the undo step; edits with the same
   /// nonempty `merge_key` are one step until endMerge(). Error kind usage: why the change was refused.
@@ -41,12 +42,20 @@ class EditedDocument : public FileDocument {
     return {};
   }
 
-  bool dirty() const override { return now_.content != saved_ && *now_.content != *saved_; }
+  Expected<void> takeText(std::string_view text, std::string_view label) override {
+    auto read = State::parse(text, path_);
+    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    return edit(label, {}, [&](Content& changed) { changed = std::move(*read); });
+  }
+
+  bool dirty() const override { return now_.content != saved_ && (saved_ == nullptr || *now_.content != *saved_); }
   const BasicHistory<State>& history() const { return history_; }
   bool canUndo() const override { return history_.canUndo(); }
   bool canRedo() const override { return history_.canRedo(); }
   std::string_view undoLabel() const override { return history_.undoLabel(); }
   std::string_view redoLabel() const override { return history_.redoLabel(); }
+  std::vector<std::string> undoLabels() const override { return history_.undoLabels(); }
+  std::vector<std::string> redoLabels() const override { return history_.redoLabels(); }
   void endMerge() override { history_.endMerge(now_); }
   bool undo() override {
     if (!history_.canUndo()) return false;
@@ -62,15 +71,17 @@ class EditedDocument : public FileDocument {
 
   void startNew() override { become(State::fresh(), {}); }
   Expected<void> load(const std::filesystem::path& path) override {
+    const FileStamp stamp = stampOf(path);  // before reading: what is written meanwhile is noticed later
     auto content = State::read(path);
     if (!content) return tl::unexpected<Error>(std::move(content.error()));
     become(std::move(*content), path);
+    stamp_ = stamp;
     return {};
   }
   Expected<void> save() override {
     if (path_.empty()) return missingFile();
     auto done = State::write(content(), path_);
-    if (done) saved_ = now_.content;
+    if (done) isSaved();
     return done;
   }
   Expected<void> saveAs(const std::filesystem::path& path) override {
@@ -80,9 +91,37 @@ class EditedDocument : public FileDocument {
     if (!moved) return tl::unexpected<Error>(std::move(moved.error()));
     if (auto done = State::write(*moved, target); !done) return done;
     if (*moved != content()) take(with(std::move(*moved)));
-    saved_ = now_.content;
     path_ = std::move(target);
+    isSaved();
     return {};
+  }
+
+  bool changedOutside() override {
+    if (path_.empty()) return false;
+    const FileStamp now = stampOf(path_);
+    if (now == stamp_) return false;
+    const auto held = State::read(path_);
+    const bool same = held && saved_ != nullptr && *held == *saved_;
+    if (same) stamp_ = now;
+    return !same;
+  }
+  Expected<void> reload() override {
+    const FileStamp now = stampOf(path_);
+    auto held = State::read(path_);
+    if (!held) return tl::unexpected<Error>(std::move(held.error()));
+    endMerge();
+    if (*held != content()) {
+      record("Read from disk", {});
+      take(with(std::move(*held)));
+    }
+    isSaved(now);
+    return {};
+  }
+  void keepOwn() override {
+    stamp_ = stampOf(path_);
+    const auto held = State::read(path_);
+    // A file that is gone or cannot be read holds nothing of this document.
+    saved_ = held ? std::make_shared<const Content>(*held) : nullptr;
   }
 
  protected:
@@ -108,12 +147,18 @@ class EditedDocument : public FileDocument {
   void become(Content content, std::filesystem::path path) {
     now_ = {};
     take(with(std::move(content)));
-    saved_ = now_.content;
     path_ = std::move(path);
+    isSaved();
     history_.clear();
   }
+  void isSaved() { isSaved(stampOf(path_)); }
+  void isSaved(const FileStamp& stamp) {
+    saved_ = now_.content;
+    stamp_ = stamp;
+  }
 
-  std::shared_ptr<const Content> saved_;
+  std::shared_ptr<const Content> saved_;  ///< what the file holds; null once it is gone
+  FileStamp stamp_;                       ///< of the file when it was last read or written
   BasicHistory<State> history_;
   std::uint64_t revision_ = 0;
 };

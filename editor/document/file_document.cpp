@@ -16,6 +16,11 @@ std::filesystem::path FileDocument::fileFor(const std::filesystem::path& path) c
   return out;
 }
 
+void FileDocument::jump(int steps) {
+  for (; steps < 0 && undo(); ++steps) {}
+  for (; steps > 0 && redo(); --steps) {}
+}
+
 Expected<void> FileDocument::missingFile() const { return fail(ErrorKind::output, "The " + std::string(what_) + " has no file yet.", "Use Save as and give it a name."); }
 
 Expected<void> FileDocument::missingName() { return fail(ErrorKind::output, "The name of the file is missing.", "Write a name after the folder."); }

@@ -2,9 +2,11 @@
 
 #include <npsee/error.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -33,8 +35,27 @@ class FileDocument {
   /// What undo or redo would change, e.g. "Ejection angle"; empty if nothing.
   virtual std::string_view undoLabel() const = 0;
   virtual std::string_view redoLabel() const = 0;
+  /// What can be undone, oldest first, and redone, next first.
+  virtual std::vector<std::string> undoLabels() const = 0;
+  virtual std::vector<std::string> redoLabels() const = 0;
+  /// Goes back (negative) or forward by so many steps, as far as there are any.
+  void jump(int steps);
   /// A drag is over: what it changed is one step.
   virtual void endMerge() = 0;
+
+  /// Differs after every change, undo and load included.
+  virtual std::uint64_t revision() const = 0;
+  /// The content as a file holds it.
+  virtual std::string text() const = 0;
+  /// Takes over the content of such a text as one step, named `label`. Error kinds input and usage.
+  virtual Expected<void> takeText(std::string_view text, std::string_view label) = 0;
+
+  /// True if the file on the disk holds something else than what was last read from it or written to it.
+  virtual bool changedOutside() = 0;
+  /// Reads the file again, as a step that can be undone. Errors leave the document as it was.
+  virtual Expected<void> reload() = 0;
+  /// The document stays as it is; the file as it now is counts as known, and saving replaces it.
+  virtual void keepOwn() = 0;
 
   virtual void startNew() = 0;
   /// Errors leave the document as it was. Kinds input and output.

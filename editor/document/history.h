@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -47,6 +48,18 @@ class BasicHistory {
   /// What undo or redo would change, e.g. "Ejection angle"; empty if nothing.
   std::string_view undoLabel() const { return undo_.empty() ? std::string_view() : undo_.back().label; }
   std::string_view redoLabel() const { return redo_.empty() ? std::string_view() : redo_.back().label; }
+
+  /// What each step changed: those that can be undone, oldest first, and those that can be redone, next first.
+  std::vector<std::string> undoLabels() const {
+    std::vector<std::string> out;
+    for (const Step& step : undo_) out.push_back(step.label);
+    return out;
+  }
+  std::vector<std::string> redoLabels() const {
+    std::vector<std::string> out;
+    for (auto step = redo_.rbegin(); step != redo_.rend(); ++step) out.push_back(step->label);
+    return out;
+  }
 
   /// The state to go back (forward) to, `now` being kept for the way back. Only if canUndo() (canRedo()).
   State undo(State now) { return step(undo_, redo_, std::move(now)); }

@@ -45,6 +45,7 @@ Session::Session(SessionOptions options)
 Session::~Session() = default;
 
 void Session::update(double elapsed_s) {
+  watchFile(elapsed_s);
   if (!inMission()) return updateExplosion(elapsed_s);
   mission_->view.presets.clear();
   if (mission_->own_burst) mission_->view.presets[0] = document.snapshot();

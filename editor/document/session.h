@@ -26,7 +26,7 @@ class MissionSession;
 enum class WorkMode { explosion, mission };
 
 /// What waits until the question about unsaved work is answered.
-enum class Intent { none, start_new, open, quit };
+enum class Intent { none, start_new, open, quit, recover };
 enum class Answer { save, discard, cancel };
 
 /// The file panel: which of the two it is and what is typed in it.
@@ -54,6 +54,14 @@ struct Notices {
 /// others, or emit over time) and for very large layers.
 struct LaunchSample {
   std::vector<float> speed_mps, size_m;
+};
+
+/// Work that an editor which ended without being asked has left behind.
+struct UnsavedWork {
+  WorkMode mode = WorkMode::explosion;
+  std::filesystem::path file;  ///< that it belongs to; empty if it was never saved
+  std::string text;            ///< as that file would hold it
+  std::string name() const;    ///< of the file, or "untitled"
 };
 
 struct SessionOptions {
@@ -118,6 +126,16 @@ class Session {
   std::string askingAbout() const;
   void answer(Answer answer);
   bool quitting() const { return quitting_; }
+  /// Opens unsaved work over its file's content, as a step that can be undone; asks first like open().
+  void recover(const UnsavedWork& work);
+  /// How often that was done: the question before it may also be cancelled.
+  int recoveries() const { return recoveries_; }
+
+  /// True while the mode's file holds something else than was read from it, and the document has unsaved work. Without any it is read again.
+  bool outside() const { return outside_[static_cast<std::size_t>(mode)]; }
+  /// What was asked: read it again, or keep the document as it is and save over the file.
+  void reloadFile();
+  void keepOwn();
 
   /// Undo and redo of the mode's document.
   bool undo() { return file().undo(); }
@@ -150,7 +168,9 @@ class Session {
   void proceed();
   const FileDocument& fileOf(WorkMode which) const;
   void updateExplosion(double elapsed_s);
-  void loadNow(const std::filesystem::path& path);
+  bool loadNow(const std::filesystem::path& path);
+  void recoverNow();
+  void watchFile(double elapsed_s);
   void takeCompiled();
   void sampleLaunch();
   void probeLayer();
@@ -172,6 +192,10 @@ class Session {
   std::optional<render::Camera> framed_;  ///< what frameAll last set
   Intent intent_ = Intent::none;
   std::filesystem::path intent_path_;
+  UnsavedWork intent_work_;
+  int recoveries_ = 0;
+  double unwatched_s_ = 0.0;  ///< since the file was last looked at
+  std::array<bool, 2> outside_{};  ///< by mode: its file was changed by another program
   std::array<bool, 2> given_up_{};  ///< by mode: its unsaved work may be lost
   bool proceed_after_save_ = false;
   bool quitting_ = false;

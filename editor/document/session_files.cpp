@@ -13,6 +13,11 @@ void Session::startNew() { begin(Intent::start_new); }
 void Session::open(const fs::path& path) { begin(Intent::open, path); }
 void Session::quit() { begin(Intent::quit); }
 
+void Session::recover(const UnsavedWork& work) {
+  intent_work_ = work;
+  begin(Intent::recover);
+}
+
 void Session::begin(Intent intent, fs::path path) {
   intent_ = intent;
   intent_path_ = std::move(path);
@@ -24,7 +29,7 @@ void Session::begin(Intent intent, fs::path path) {
 
 /// The mode whose unsaved work would be lost and is not yet given up.
 std::optional<WorkMode> Session::endangered() const {
-  const WorkMode replaced = intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode;
+  const WorkMode replaced = intent_ == Intent::recover ? intent_work_.mode : intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode;
   for (const WorkMode which : {WorkMode::explosion, WorkMode::mission}) {
     if (intent_ == Intent::none || given_up_[static_cast<std::size_t>(which)] || (intent_ != Intent::quit && which != replaced)) continue;
     if (fileOf(which).dirty()) return which;
@@ -45,7 +50,9 @@ void Session::proceed() {
   proceed_after_save_ = false;
   if (intent == Intent::quit) quitting_ = true;
   if (intent == Intent::open) loadNow(intent_path_);
+  if (intent == Intent::recover) recoverNow();
   if (intent != Intent::start_new) return;
+  outside_[static_cast<std::size_t>(mode)] = false;
   if (inMission()) {
     mission_->startNew();
   } else {
@@ -55,16 +62,77 @@ void Session::proceed() {
   notices = {};
 }
 
-void Session::loadNow(const fs::path& path) {
+/// False where the file cannot be read.
+bool Session::loadNow(const fs::path& path) {
   const bool mission = isMissionFile(path);
-  if (!took(mission ? mission_->load(path) : document.load(path))) return;
+  if (!took(mission ? mission_->load(path) : document.load(path))) return false;
   notices = {{}, "Opened " + path.string()};
   mode = mission ? WorkMode::mission : WorkMode::explosion;
   if (!mission) {
     frame_on_compile_ = true;
     playback.time_s = 0.0;
   }
+  outside_[static_cast<std::size_t>(mode)] = false;
   closeFiles();
+  return true;
+}
+
+std::string UnsavedWork::name() const {
+  const std::string name = file.filename().string();
+  return name.empty() ? "untitled" : name.substr(0, name.find('.', 1));
+}
+
+void Session::recoverNow() {
+  mode = intent_work_.mode;
+  std::error_code ignored;
+  const bool there = !intent_work_.file.empty() && fs::is_regular_file(intent_work_.file, ignored);
+  if (!there || !loadNow(intent_work_.file)) {
+    if (inMission()) mission_->startNew();
+    else document.startNew();
+    frame_on_compile_ = true;
+  }
+  if (!took(file().takeText(intent_work_.text, "Unsaved work"))) return;
+  ++recoveries_;
+  notices = {{}, "Brought back the unsaved work on " + intent_work_.name()};
+}
+
+void Session::watchFile(double elapsed_s) {
+  constexpr double kEvery_s = 0.5;
+  unwatched_s_ += elapsed_s;
+  bool& outside = outside_[static_cast<std::size_t>(mode)];
+  if (unwatched_s_ < kEvery_s || outside || intent_ != Intent::none) return;
+  unwatched_s_ = 0.0;
+  if (!file().changedOutside()) return;
+  std::error_code ignored;
+  const bool there = fs::exists(file().path(), ignored);
+  if (file().dirty() && there) {
+    outside = true;
+    return;
+  }
+  const std::string name = file().path().filename().string();
+  if (!there) {
+    file().keepOwn();
+    notices.error = name + " is gone: another program removed or renamed it.\n  Saving writes it again.";
+    return;
+  }
+  const auto read = file().reload();
+  if (read) {
+    notices.note = name + " was changed by another program and read again; undo brings back what was here.";
+    return;
+  }
+  // What cannot be read now is tried again when it has changed once more.
+  file().keepOwn();
+  notices.error = "Another program changed the file, and it cannot be read any more. The last good state stays.\n  " + read.error().text();
+}
+
+void Session::reloadFile() {
+  if (took(file().reload())) notices.note = "Read " + file().path().filename().string() + " again; undo brings back your own work.";
+  outside_[static_cast<std::size_t>(mode)] = false;
+}
+
+void Session::keepOwn() {
+  file().keepOwn();
+  outside_[static_cast<std::size_t>(mode)] = false;
 }
 
 void Session::answer(Answer answer) {
@@ -90,6 +158,12 @@ std::string Session::title() const { return file().name() + (file().dirty() ? " 
 
 void Session::save() {
   if (file().path().empty()) return showFiles(FilePanel::Mode::save_as);
+  // What another program has written is not overwritten unseen.
+  std::error_code ignored;
+  if (file().changedOutside() && fs::exists(file().path(), ignored)) {
+    outside_[static_cast<std::size_t>(mode)] = true;
+    return;
+  }
   if (!took(file().save())) {
     proceed_after_save_ = false;
     return;
@@ -122,6 +196,7 @@ void Session::confirmFiles() {
   }
   if (files.mode == FilePanel::Mode::open) return open(path);
   const fs::path target = file().fileFor(path);
+  outside_[static_cast<std::size_t>(mode)] = false;
   if (fs::exists(target, ignored) && target != file().path() && target != files.replacing) {
     files.replacing = target;
     return;

@@ -24,6 +24,8 @@ struct MissionSnapshot {
   static Scenario fresh();
   static Expected<Scenario> read(const std::filesystem::path& path) { return loadScenario(path); }
   static Expected<void> write(const Scenario& scenario, const std::filesystem::path& path) { return saveScenario(scenario, path); }
+  static std::string text(const Scenario& scenario) { return scenarioText(scenario); }
+  static Expected<Scenario> parse(std::string_view text, const std::filesystem::path& path) { return parseScenario(text, path.string(), path.parent_path()); }
 
   std::shared_ptr<const Scenario> content;
   std::shared_ptr<const MissionCommands> commands = std::make_shared<const MissionCommands>();

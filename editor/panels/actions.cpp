@@ -85,9 +85,9 @@ const std::array kCommon{
 const std::vector<Action>& allActions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> out(kCommon.begin(), kCommon.end());
-    const auto design = designActions();
+    const auto design = designActions(), desk = deskActions(), mission = missionActions();
     out.insert(out.end(), design.begin(), design.end());
-    const auto mission = missionActions();
+    out.insert(out.end(), desk.begin(), desk.end());
     out.insert(out.end(), mission.begin(), mission.end());
     return out;
   }();

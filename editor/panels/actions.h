@@ -22,6 +22,8 @@ struct Action {
 std::span<const Action> actions();
 /// Actions of the mission mode alone; actions() has them too.
 std::span<const Action> missionActions();
+/// Actions of what lies around the documents: history, palette, library, export, view; actions() has them too.
+std::span<const Action> deskActions();
 
 /// The thesis's keys (appendix B.B) and what they move.
 struct CameraKeyInfo {

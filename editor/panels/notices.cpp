@@ -1,35 +1,14 @@
+#include "editor/panels/desk/sheets.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/strip.h"
 #include "editor/ui/controls.h"
 
 namespace npsee::editor {
 namespace {
 
-/// A strip over the whole width whose height follows its words. `draw` fills the right end.
-template <class Draw>
-void strip(const PanelContext& ui, const char* id, ImU32 edge, const std::string& text, float room, const Draw& draw) {
-  const float width = ImGui::GetContentRegionAvail().x, inset = ui.px(12), wrap = width - room - 2.0f * inset;
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-  const float height = std::max(size.y + ui.px(14), ui.px(38));
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.raised);
-  ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.line);
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ui.theme.dim);
-  ImGui::BeginChild(id, ImVec2(width, height), false, ImGuiWindowFlags_NoScrollbar);
-  const ImVec2 at = ImGui::GetWindowPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ui.px(4), at.y + height}, edge);
-  ImGui::SetCursorPos({inset, std::floor(0.5f * (height - size.y))});
-  ImGui::PushTextWrapPos(inset + wrap);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::SetCursorPos({width - room - inset + ui.px(8), std::floor(0.5f * (height - ui.px(26)))});
-  draw();
-  ImGui::EndChild();
-  ImGui::PopStyleColor(3);
-  ui.item(id);
-}
-
 void drawQuestion(const PanelContext& ui) {
   const Session& session = ui.session;
-  const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : session.inMission() ? "starting a new mission" : "starting a new preset";
+  const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : session.asking() == Intent::recover ? "bringing back other unsaved work" : session.inMission() ? "starting a new mission" : "starting a new preset";
   const std::string text = "\"" + session.askingAbout() + "\" has changes that are not saved. Save them before " + next + "?";
   strip(ui, "strip:question", ui.theme.accent, text, ui.px(196), [&] {
     if (textButton(ui, "Save", "save", true)) ui.session.answer(Answer::save);
@@ -38,6 +17,12 @@ void drawQuestion(const PanelContext& ui) {
     ImGui::SameLine();
     if (textButton(ui, "Cancel", "cancel")) ui.session.answer(Answer::cancel);
   });
+  ui.resting("strip:question", "Enter saves, Delete discards, Escape cancels.");
+  if (ImGui::GetIO().WantTextInput || session.files.mode != FilePanel::Mode::closed) return;
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) ui.session.answer(Answer::save);
+  else if (pressed(ImGuiKey_Escape)) ui.session.answer(Answer::cancel);
+  else if (pressed(ImGuiKey_Delete)) ui.session.answer(Answer::discard);
 }
 
 }  // namespace
@@ -45,6 +30,7 @@ void drawQuestion(const PanelContext& ui) {
 void drawNotices(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
   if (ui.session.asking() != Intent::none) drawQuestion(ui);
+  drawDeskNotices(ui);
   Notices& notices = ui.session.notices;
   if (!notices.error.empty())
     strip(ui, "strip:error", ui.theme.error, notices.error, ui.px(40), [&] {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "app/render/mission_scene.h"
+#include "editor/desk/desk.h"
 #include "editor/document/session.h"
+#include "editor/ui/desk_state.h"
 #include "editor/ui/items.h"
 #include "editor/ui/mission_state.h"
 #include "editor/ui/theme.h"
@@ -83,11 +85,13 @@ struct UiState {
   } layer_drag;
   bool rename_layer = false;  ///< the selected layer's name is being edited
   MissionUi mission;
+  DeskUi desk;
 };
 
 /// What every panel function gets: the document with its session, and the means to draw.
 struct PanelContext {
   Session& session;
+  Desk& desk;
   UiState& state;
   Items& items;
   Pictures& pictures;

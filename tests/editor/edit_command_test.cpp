@@ -65,7 +65,9 @@ TEST(EditCommand, UnreadableInputsExitThreeAndUnwritablePicturesExitFive) {
 }
 
 TEST(EditCommand, WithoutADisplayItSaysSoAndExitsFour) {
-  const auto result = test::npseeRun({"edit", std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json"}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
+  const test::TemporaryFolder folder;
+  const auto result = test::npseeRun({"edit", std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json"},
+                                     {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_CONFIG_HOME", folder / "c"}, {"XDG_STATE_HOME", folder / "s"}, {"XDG_CACHE_HOME", folder / "k"}});
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_NE(result.err.find("cannot open a window: "), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("npsee render"), std::string::npos) << result.err;

@@ -42,9 +42,15 @@ class EditorWindow : public testing::Test {
     std::istringstream lines(listed.out);
     for (std::string state, place, item; lines >> state >> place && std::getline(lines >> std::ws, item);) places_[item] = place;
     ASSERT_TRUE(places_.contains("thumb:time")) << listed.err << listed.out;
-    ended_ = std::async(std::launch::async, [this, arguments = with({"--print-state"})] { return test::npseeRun(arguments, display_.environment()); });
+    ended_ = std::async(std::launch::async, [this, arguments = with({"--print-state"})] { return test::npseeRun(arguments, environment()); });
     ASSERT_TRUE(eventually([&] { return window(name + " - npsee"); })) << (ended_.wait_for(0s) == std::future_status::ready ? ended_.get().err : "no window");
     display_.xdotool({"windowfocus", "--sync", window_});
+  }
+  /// The display, and folders of our own for what the editor remembers.
+  std::map<std::string, std::string> environment() const {
+    auto out = display_.environment();
+    for (const char* name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) out[name] = folder_ / name;
+    return out;
   }
   /// Finds the window by its title, which shows what the editor has made of the input.
   bool window(const std::string& title) {
@@ -147,6 +153,25 @@ TEST_F(PresetWindow, ClosingItAsksAboutUnsavedWork) {
   EXPECT_TRUE(eventually([this] { return window("work - npsee"); }));
   display_.askToClose(window_);
   EXPECT_EQ(number(state(), "undo"), 1.0);
+}
+
+TEST_F(PresetWindow, ItsCrossSpeaksAfterWhatWasTypedBefore) {
+  drag("thumb:fragments.ejection_angle", -30);
+  key("Control_L+s");
+  for (int i = 0; i < 20; ++i) key("Home");
+  display_.askToClose(window_);
+  const auto end = state();
+  EXPECT_EQ(number(end, "undo"), 1.0);
+  EXPECT_EQ(end.at("dirty"), "no");
+  EXPECT_LT(loadPreset(file_)->layers[0].ejection_angle_rad, 0.85) << "saved before it closed";
+}
+
+TEST_F(PresetWindow, RemembersItsSize) {
+  display_.xdotool({"windowsize", "--sync", window_, "1010", "650"});
+  key("Control_L+q");
+  state();
+  const std::string settings = test::slurp(folder_ / "XDG_CONFIG_HOME/npsee/settings.json");
+  EXPECT_NE(settings.find("\"window_width\": 1010"), std::string::npos) << settings;
 }
 
 TEST_F(PresetWindow, ThesisKeysMoveTheCamera) {

@@ -40,7 +40,7 @@ TEST(Layering, ContextsAndRendererKnowNeitherEditorNorCommandsNorImgui) {
 }
 
 TEST(Layering, WhatTheEditorWorksOnKnowsNeitherGlNorImguiNorPanels) {
-  for (const char* folder : {"editor/document", "editor/mission"}) expectNone(folder, "^(imgui|GLFW/|glad/|app/gl/|editor/(ui|panels|script)/)");
+  for (const char* folder : {"editor/desk", "editor/document", "editor/mission"}) expectNone(folder, "^(imgui|GLFW/|glad/|app/gl/|editor/(ui|panels|script)/)");
 }
 
 TEST(Layering, TheEditorKnowsNoCommand) { expectNone("editor", "^(app/commands/|tests/|CLI/)"); }

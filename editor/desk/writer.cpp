@@ -1,0 +1,61 @@
+#include "editor/desk/writer.h"
+
+#include "sim/core/files.h"
+
+#include <system_error>
+#include <utility>
+
+namespace npsee::editor {
+
+namespace fs = std::filesystem;
+
+Writer::Writer() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+Writer::~Writer() { wait(); }
+
+void Writer::write(fs::path file, std::string text) { add({std::move(file), std::move(text)}); }
+void Writer::remove(fs::path file) { add({std::move(file), std::nullopt}); }
+
+void Writer::add(Task task) {
+  {
+    const std::lock_guard lock(mutex_);
+    // Only the newest of what waits is worth a write; the order among different files stays.
+    if (!tasks_.empty() && tasks_.back().file == task.file) tasks_.back() = std::move(task);
+    else tasks_.push_back(std::move(task));
+  }
+  changed_.notify_all();
+}
+
+void Writer::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return tasks_.empty() && !working_; });
+}
+
+std::optional<std::string> Writer::takeError() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(error_, std::nullopt);
+}
+
+void Writer::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (changed_.wait(lock, stop, [this] { return !tasks_.empty(); })) {
+    const Task task = std::move(tasks_.front());
+    tasks_.pop_front();
+    working_ = true;
+    lock.unlock();
+    std::error_code ignored;
+    Expected<void> done;
+    if (task.text) {
+      fs::create_directories(task.file.parent_path(), ignored);
+      done = writeFileAtomically(task.file, *task.text);
+    } else {
+      fs::remove(task.file, ignored);
+    }
+    lock.lock();
+    working_ = false;
+    if (!done) error_ = done.error().text();
+    changed_.notify_all();
+  }
+}
+
+}  // namespace npsee::editor
