@@ -119,19 +119,22 @@ int compare(const Options& options) {
 
 void addCompare(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("compare", "Compare PNG pictures, or folders of them: how much and where they differ; exit 1 over the tolerance");
+  CLI::App* command = app.add_subcommand("compare", "Compare PNG or OpenEXR pictures, or folders of them: how much and where they differ; exit 1 over the tolerance");
   command->add_option("A", options->before, "Picture, or folder of pictures")->required();
   command->add_option("B", options->after, "Picture, or folder with pictures of the same names")->required();
   command->add_option("-o,--output", options->output, "Difference picture (*.png); for folders a folder, which gets one for each pair that differs")->type_name("OUT");
   addToleranceOptions(*command, options->tolerance);
+  addPassToleranceOptions(*command, options->tolerance);
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->add_option("-j,--jobs", options->jobs, "Pairs compared at a time")->check(CLI::Range(1, 64))->type_name("N");
   command->footer(
       "Differences are in levels of 0..255 (fractions for 16-bit pictures), of the colour multiplied by its alpha, and of alpha.\n"
+      "OpenEXR pictures are compared as they look on a screen, and then in the values of their passes: light, depth (m), motion (pixels).\n"
       "Exit codes: 0 the tolerance is met, 1 it is not, 2 usage, 3 a picture cannot be read, 5 the difference cannot be written.\n"
       "Examples:\n  npsee compare before.png after.png -o difference.png\n"
       "  npsee compare golden/ new/ --pixels \"0.01% over 2\"\n"
-      "  npsee compare a.png b.png --max 3 --mean 0.05 --ssim 0.999 --json");
+      "  npsee compare a.png b.png --max 3 --mean 0.05 --ssim 0.999 --json\n"
+      "  npsee compare a.exr b.exr --max 1 --depth 0.001 --motion 0.01");
   command->callback([options, &outcome] { outcome.exit_code = compare(*options); });
 }
 

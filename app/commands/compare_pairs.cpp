@@ -1,5 +1,8 @@
 #include "app/commands/compare_pairs.h"
 
+#include "app/render/exr.h"
+#include "sim/core/files.h"
+
 #include <nlohmann/json.hpp>
 #include <npsee/units.h>
 
@@ -17,10 +20,70 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxPictures = 200'000;
 
-bool isPng(const fs::path& path) {
+/// Most bytes of an OpenEXR file: all passes of the largest picture, not compressed.
+constexpr std::size_t kMaxExr = std::size_t{1} << 30;
+
+bool endsIn(const fs::path& path, std::string_view wanted) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".png";
+  return ending == wanted;
+}
+bool isExr(const fs::path& path) { return endsIn(path, ".exr"); }
+
+/// A picture as it is seen, and the passes of an OpenEXR file.
+struct ReadPicture {
+  render::DeepImage seen;
+  std::optional<render::FloatImage> passes;
+};
+
+Expected<ReadPicture> readPicture(const fs::path& path) {
+  ReadPicture out;
+  if (isExr(path)) {
+    const auto bytes = readTextFile(path, kMaxExr);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    auto exr = render::parseExr(*bytes, path.string(), render::kMaxDeepPixels);
+    if (!exr) return tl::unexpected<Error>(exr.error());
+    out.seen = render::shown(exr->image);
+    out.passes = std::move(exr->image);
+    return out;
+  }
+  auto png = render::readDeepPng(path);
+  if (!png) return tl::unexpected<Error>(png.error());
+  out.seen = std::move(*png);
+  return out;
+}
+
+/// What the tolerance allows of a pass; none where it says nothing of it.
+std::optional<double> limitOf(const render::PassDifference& pass, const render::Tolerance& tolerance) {
+  if (tolerance.exact()) return 0.0;
+  return pass.name == "light" ? tolerance.light : pass.name == "depth" ? tolerance.depth_m : tolerance.motion_px;
+}
+
+std::string passText(const render::PassDifference& pass, double value) { return rounded(value, 5) + (pass.unit.empty() ? "" : " " + std::string(pass.unit)); }
+
+std::string valuesText(const std::array<double, 4>& values, std::size_t count) {
+  std::string out;
+  for (std::size_t c = 0; c < count; ++c) out += (c == 0 ? "" : ",") + rounded(values[c], 5);
+  return out;
+}
+
+/// Adds what two OpenEXR pictures have beyond what is seen, and judges anew.
+void judgePasses(PairResult& result, const render::FloatImage& before, const render::FloatImage& after, const render::Tolerance& tolerance) {
+  if (result.verdict == Verdict::sizes) return;
+  result.passes = render::comparePasses(before, after);
+  const auto lacking = render::passesOfOne(before, after);
+  for (const std::string_view name : lacking) result.reasons.push_back("only one of them holds " + std::string(name));
+  bool same = result.difference.same() && lacking.empty();
+  for (const render::PassDifference& pass : result.passes) {
+    same = same && pass.differing == 0;
+    const auto limit = limitOf(pass, tolerance);
+    if (!limit || pass.differing == 0) continue;
+    if (pass.max > *limit) result.reasons.push_back(std::string(pass.name) + ": max " + passText(pass, pass.max) + " is above " + passText(pass, *limit));
+    if (pass.in_one > 0) result.reasons.push_back(std::string(pass.name) + ": " + std::to_string(pass.in_one) + " pixels have one in only one of them");
+    // Bits may differ where values do not: -0 and 0, or two kinds of no number.
+    if (tolerance.exact() && pass.max == 0.0 && pass.in_one == 0) result.reasons.push_back(std::string(pass.name) + ": bits differ");
+  }
+  result.verdict = same ? Verdict::same : result.reasons.empty() ? Verdict::within : Verdict::different;
 }
 
 /// Relative path to path of all pictures below a folder; links to folders are not followed.
@@ -29,7 +92,7 @@ Expected<std::map<std::string, fs::path>> picturesBelow(const fs::path& folder) 
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error); !error && entry != fs::end(entry); entry.increment(error)) {
     std::error_code ignored;
-    if (!isPng(entry->path()) || entry->is_directory(ignored)) continue;
+    if (!(endsIn(entry->path(), ".png") || isExr(entry->path())) || entry->is_directory(ignored)) continue;
     out.emplace(entry->path().lexically_relative(folder).generic_string(), entry->path());
     if (out.size() > kMaxPictures) return fail(ErrorKind::input, folder.string() + " holds more than " + std::to_string(kMaxPictures) + " pictures.", "Compare its folders one by one.");
   }
@@ -86,7 +149,7 @@ Expected<std::vector<PicturePair>> picturePairs(const fs::path& before, const fs
     pairs[name].name = name;
     pairs[name].after = path;
   }
-  if (pairs.empty()) return fail(ErrorKind::input, "neither " + before.string() + " nor " + after.string() + " holds a *.png file.", "Name folders with pictures.");
+  if (pairs.empty()) return fail(ErrorKind::input, "neither " + before.string() + " nor " + after.string() + " holds a *.png or *.exr file.", "Name folders with pictures.");
   std::vector<PicturePair> out;
   for (auto& [name, pair] : pairs) out.push_back(std::move(pair));
   return out;
@@ -106,15 +169,16 @@ PairResult judged(PicturePair pair, const render::DeepImage& before, const rende
 
 Expected<PairResult> comparePair(const PicturePair& pair, const render::Tolerance& tolerance, const fs::path& picture, bool only_differing) {
   if (pair.before.empty() || pair.after.empty()) return PairResult{pair, Verdict::missing, {}, {pair.after.empty() ? "only in the first folder" : "only in the second folder"}, {}};
-  const auto before = render::readDeepPng(pair.before), after = render::readDeepPng(pair.after);
+  const auto before = readPicture(pair.before), after = readPicture(pair.after);
   if (!before || !after) {
     PairResult out{pair, Verdict::unreadable, {}, {}, before ? after.error() : before.error()};
     out.reasons.push_back((before ? pair.after : pair.before).string() + " cannot be read");
     return out;
   }
-  PairResult out = judged(pair, *before, *after, tolerance);
+  PairResult out = judged(pair, before->seen, after->seen, tolerance);
+  if (before->passes && after->passes) judgePasses(out, *before->passes, *after->passes, tolerance);
   if (picture.empty() || out.verdict == Verdict::sizes || (only_differing && out.verdict == Verdict::same)) return out;
-  if (auto written = render::writePng(render::differencePicture(*before, *after), picture); !written) return tl::unexpected<Error>(written.error());
+  if (auto written = render::writePng(render::differencePicture(before->seen, after->seen), picture); !written) return tl::unexpected<Error>(written.error());
   return out;
 }
 
@@ -129,6 +193,13 @@ std::string pairText(const PairResult& result) {
            std::to_string(d.over) + " by more than " + rounded(d.threshold, 3) + '\n';
     for (const render::WorstPlace& place : d.worst)
       out += "  at " + std::to_string(place.x) + ',' + std::to_string(place.y) + ": " + colourText(place.before) + " became " + colourText(place.after) + '\n';
+  }
+  for (const render::PassDifference& pass : result.passes) {
+    if (pass.differing == 0) continue;
+    out += "  " + std::string(pass.name) + ": max " + passText(pass, pass.max) + ", mean " + passText(pass, pass.mean) + ", " + std::to_string(pass.differing) + " pixels differ";
+    if (pass.in_one > 0) out += ", " + std::to_string(pass.in_one) + " have one in only one of them";
+    if (pass.max > 0.0) out += "; at " + std::to_string(pass.x) + ',' + std::to_string(pass.y) + ": " + valuesText(pass.before, pass.components) + " became " + valuesText(pass.after, pass.components);
+    out += '\n';
   }
   for (const std::string& reason : result.reasons) out += "  not met: " + printable(reason) + '\n';
   return out;
@@ -146,6 +217,8 @@ nlohmann::ordered_json pairJson(const PairResult& result) {
   nlohmann::ordered_json out{{"name", result.pair.name}, {"verdict", verdictName(result.verdict)}, {"reasons", result.reasons}};
   const bool compared = passes(result.verdict) || result.verdict == Verdict::different;
   out["difference"] = compared ? differenceJson(result.difference) : nlohmann::ordered_json();
+  for (const render::PassDifference& pass : result.passes)
+    out["passes"].push_back({{"name", pass.name}, {"unit", pass.unit}, {"max", pass.max}, {"mean", pass.mean}, {"pixels_differing", pass.differing}, {"pixels_in_one", pass.in_one}, {"x", pass.x}, {"y", pass.y}});
   return out;
 }
 

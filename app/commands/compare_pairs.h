@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/exr_compare.h"
 #include "app/render/image_compare.h"
 
 #include <npsee/error.h>
@@ -31,16 +32,17 @@ struct PairResult {
   render::ImageDifference difference;      ///< where both could be compared
   std::vector<std::string> reasons;        ///< why the verdict is not same or within
   std::optional<Error> error;              ///< where a picture could not be read
+  std::vector<render::PassDifference> passes = {};  ///< of OpenEXR pictures
 };
 
-/// The pairs of two files, or of all *.png below two folders by relative path, in name order. Error kind usage: a file and a
+/// The pairs of two files, or of all *.png and *.exr below two folders by relative path, in name order. Error kind usage: a file and a
 /// folder; kind input: nothing there, or too many files.
 Expected<std::vector<PicturePair>> picturePairs(const std::filesystem::path& before, const std::filesystem::path& after);
 
 /// Compares two pictures that are at hand.
 PairResult judged(PicturePair pair, const render::DeepImage& before, const render::DeepImage& after, const render::Tolerance& tolerance);
 
-/// Reads and compares a pair. A difference picture is written to `picture` if that is not empty; for `only_differing` only where
+/// Reads and compares a pair, PNG or OpenEXR. A difference picture is written to `picture` if that is not empty; for `only_differing` only where
 /// a pixel differs. Error kind output if it cannot be written.
 Expected<PairResult> comparePair(const PicturePair& pair, const render::Tolerance& tolerance, const std::filesystem::path& picture, bool only_differing);
 

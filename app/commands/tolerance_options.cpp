@@ -41,14 +41,25 @@ Expected<void> readPixels(const std::string& text, std::optional<render::Toleran
   return {};
 }
 
+auto optionAdder(CLI::App& command) {
+  return [&command](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type)->group("Tolerance"); };
+}
+
 }  // namespace
 
 void addToleranceOptions(CLI::App& command, ToleranceOptions& options) {
-  const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type)->group("Tolerance"); };
+  const auto option = optionAdder(command);
   option("--max", options.max, "Largest difference allowed, in levels of 0..255. Without any tolerance nothing may differ", "N");
   option("--mean", options.mean, "Largest mean difference allowed, in levels", "N");
   option("--pixels", options.pixels, "Share of the pixels that may differ by more than so many levels: \"0.01% over 2\"", "\"P% over N\"");
   option("--ssim", options.ssim, "Least structural similarity allowed, 1 = equal", "S");
+}
+
+void addPassToleranceOptions(CLI::App& command, ToleranceOptions& options) {
+  const auto option = optionAdder(command);
+  option("--light", options.light, "Largest difference of the linear light of OpenEXR pictures", "N");
+  option("--depth", options.depth, "Largest difference of their depth, m; a surface in only one of them exceeds it", "N");
+  option("--motion", options.motion, "Largest difference of their motion, pixels", "N");
 }
 
 Expected<render::Tolerance> readTolerance(const ToleranceOptions& options) {
@@ -56,6 +67,9 @@ Expected<render::Tolerance> readTolerance(const ToleranceOptions& options) {
   Expected<void> done = readLimit("--max", options.max, 0.0, 255.0, out.max);
   if (done) done = readLimit("--mean", options.mean, 0.0, 255.0, out.mean);
   if (done) done = readLimit("--ssim", options.ssim, -1.0, 1.0, out.ssim);
+  if (done) done = readLimit("--light", options.light, 0.0, 65504.0, out.light);
+  if (done) done = readLimit("--depth", options.depth, 0.0, 1e9, out.depth_m);
+  if (done) done = readLimit("--motion", options.motion, 0.0, 1e9, out.motion_px);
   if (done) done = readPixels(options.pixels, out.pixels);
   if (!done) return tl::unexpected<Error>(done.error());
   return out;
@@ -68,6 +82,9 @@ std::string toleranceText(const render::Tolerance& tolerance) {
   if (tolerance.max) add("max " + shortest(*tolerance.max));
   if (tolerance.mean) add("mean " + shortest(*tolerance.mean));
   if (tolerance.pixels) add(shortest(100.0 * tolerance.pixels->share) + " % of the pixels over " + shortest(tolerance.pixels->over));
+  if (tolerance.light) add("light " + shortest(*tolerance.light));
+  if (tolerance.depth_m) add("depth " + shortest(*tolerance.depth_m) + " m");
+  if (tolerance.motion_px) add("motion " + shortest(*tolerance.motion_px) + " pixels");
   if (tolerance.ssim) add("SSIM " + shortest(*tolerance.ssim));
   return out;
 }

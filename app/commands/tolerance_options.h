@@ -15,9 +15,12 @@ namespace npsee::commands {
 /// `--max`, `--mean`, `--ssim` and `--pixels` as they were typed; empty = not given.
 struct ToleranceOptions {
   std::string max, mean, ssim, pixels;
-  bool given() const { return !(max.empty() && mean.empty() && ssim.empty() && pixels.empty()); }
+  std::string light, depth, motion;  ///< of OpenEXR pictures
+  bool given() const { return !(max.empty() && mean.empty() && ssim.empty() && pixels.empty() && light.empty() && depth.empty() && motion.empty()); }
 };
 void addToleranceOptions(CLI::App& command, ToleranceOptions& options);
+/// `--light`, `--depth` and `--motion`, for commands that compare OpenEXR pictures.
+void addPassToleranceOptions(CLI::App& command, ToleranceOptions& options);
 
 /// Error kind usage for each option that cannot be read.
 Expected<render::Tolerance> readTolerance(const ToleranceOptions& options);

@@ -60,8 +60,9 @@ struct Tolerance {
   };
   std::optional<double> max, mean, ssim;
   std::optional<Share> pixels;
+  std::optional<double> light, depth_m, motion_px;  ///< of the passes of OpenEXR pictures
 
-  bool exact() const { return !max && !mean && !ssim && !pixels; }
+  bool exact() const { return !max && !mean && !ssim && !pixels && !light && !depth_m && !motion_px; }
   /// The level that pixels are counted over.
   double threshold() const { return pixels ? pixels->over : 2.0; }
 };

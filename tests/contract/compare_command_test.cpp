@@ -1,5 +1,6 @@
 // `npsee compare` as users call it.
 #include "app/render/deep_image.h"
+#include "app/render/exr.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <limits>
 
 namespace npsee {
 namespace {
@@ -93,6 +96,61 @@ TEST_F(CompareCommand, SixteenBitPicturesDifferByFractions) {
   expect(0, {folder_ / "a.png", write("eight.png", 0), "--max", "0"}, {"same"});
 }
 
+/// An OpenEXR file of 8 x 4 pixels with all passes, changed by `change`.
+std::string writeExr(const std::string& path, const std::function<void(render::FloatImage&)>& change = {}) {
+  render::FloatImage image{8, 4, std::vector<float>(128, 0.5f), std::vector<float>(32, 20.0f), std::vector<float>(64, 1.5f)};
+  image.depth[0] = std::numeric_limits<float>::infinity();
+  if (change) change(image);
+  const auto bytes = render::encodeExr(image, "");
+  EXPECT_TRUE(bytes);
+  test::spill(path, std::string(bytes->begin(), bytes->end()));
+  return path;
+}
+
+TEST_F(CompareCommand, OpenExrPicturesAreComparedAsSeenAndPassByPass) {
+  const std::string a = writeExr(folder_ / "a.exr");
+  expect(0, {a, writeExr(folder_ / "b.exr")}, {"same"});
+  // Pixel 11 is at 3,1.
+  const std::string light = writeExr(folder_ / "light.exr", [](auto& image) { image.rgba[44] = 0.75f; });
+  expect(1, {a, light}, {"different", "of 255", "light: max 0.25", "at 3,1: 0.5,0.5,0.5,0.5 became 0.75,0.5,0.5,0.5", "not met: light: max 0.25 is above 0"});
+  expect(0, {a, light, "--max", "64"}, {"within"});
+  expect(0, {a, light, "--light", "0.25"}, {"within"});
+  expect(1, {a, light, "--light", "0.2"}, {"light: max 0.25 is above 0.2"});
+  const std::string depth = writeExr(folder_ / "depth.exr", [](auto& image) { image.depth[11] = 20.5f; });
+  expect(1, {a, depth}, {"depth: max 0.5 m, mean 0.01562 m, 1 pixels differ; at 3,1: 20 became 20.5", "not met: depth: max 0.5 m is above 0 m"});
+  expect(0, {a, depth, "--depth", "0.5"}, {"within"});
+  expect(0, {a, depth, "--max", "0"}, {"within"});
+  const std::string motion = writeExr(folder_ / "motion.exr", [](auto& image) { image.motion[23] = 0.0f; });
+  expect(1, {a, motion, "--motion", "1"}, {"motion: max 1.5 pixels is above 1 pixels", "at 3,1: 1.5,1.5 became 1.5,0"});
+}
+
+TEST_F(CompareCommand, ASurfaceOrAPassInOnlyOneOfThemIsADifference) {
+  const std::string a = writeExr(folder_ / "a.exr");
+  const std::string open = writeExr(folder_ / "open.exr", [](auto& image) { image.depth[0] = 4.0f; });
+  expect(1, {a, open, "--depth", "1000"}, {"1 have one in only one of them", "not met: depth: 1 pixels have one in only one"});
+  expect(1, {a, writeExr(folder_ / "flat.exr", [](auto& image) { image.depth.clear(); })}, {"only one of them holds depth"});
+  const auto json = nlohmann::json::parse(compare({a, open, "--json"}).out);
+  EXPECT_EQ(json["results"][0]["passes"][1]["pixels_in_one"], 1);
+  EXPECT_EQ(json["results"][0]["passes"][2]["max"], 0.0);
+}
+
+TEST_F(CompareCommand, AnOpenExrPictureLooksAsItsPngDoes) {
+  test::spill(folder_ / "p.npsee.json", R"({"npsee": 1, "layers": [{"name": "fragments", "count": 60, "size_mean": 1}, {"name": "fire", "count": 9, "form": "fire"}]})");
+  for (const char* name : {"p.png", "p.exr"})
+    EXPECT_EQ(test::npseeRun({"render", folder_ / "p.npsee.json", "-o", folder_ / name, "--time", "0.3", "--size", "160x90", "--background", "transparent"}).exit_code, 0);
+  // One level of rounding to eight bits, and what is left of it in half floats.
+  expect(0, {folder_ / "p.png", folder_ / "p.exr", "--max", "2.5", "--ssim", "0.99"}, {"within"});
+}
+
+TEST_F(CompareCommand, OpenExrFilesThatCannotBeReadExitThree) {
+  const std::string a = writeExr(folder_ / "a.exr"), bytes = test::slurp(a);
+  test::spill(folder_ / "cut.exr", bytes.substr(0, bytes.size() / 2));
+  test::spill(folder_ / "text.exr", "no picture");
+  expect(3, {a, folder_ / "cut.exr"}, {"unreadable"}, {"cut.exr", "OpenEXR"});
+  expect(3, {folder_ / "text.exr", a}, {"unreadable"}, {"text.exr", "OpenEXR"});
+  expect(2, {a, a, "--depth", "deep"}, {}, {"--depth deep"});
+}
+
 TEST_F(CompareCommand, PicturesOfDifferentSizeExitOne) {
   ASSERT_TRUE(render::writePng(picture(10, 10), folder_ / "small.png"));
   expect(1, {write("a.png"), folder_ / "small.png", "--max", "255", "-o", folder_ / "d.png"}, {"sizes differ", "20 x 10", "10 x 10"});
@@ -151,7 +209,7 @@ TEST_F(CompareCommand, AFolderIsNoPicture) {
   write("x/1.png");
   fs::create_directories(folder_ / "empty");
   expect(2, {folder_ / "x", folder_ / "x/1.png"}, {}, {"is a folder"});
-  expect(3, {folder_ / "empty", folder_ / "empty"}, {}, {"holds a *.png file"});
+  expect(3, {folder_ / "empty", folder_ / "empty"}, {}, {"holds a *.png or *.exr file"});
   expect(3, {folder_ / "none", folder_ / "none"}, {"unreadable"}, {"no such file"});
 }
 
@@ -181,7 +239,7 @@ TEST_F(CompareCommand, JsonHoldsTheSameAndIsEqualForAnyNumberOfJobs) {
 TEST_F(CompareCommand, HelpShowsEveryOptionAndExamples) {
   const auto help = compare({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"--output", "--max", "--mean", "--pixels", "--ssim", "--json", "--jobs", "Examples:", "Exit codes:"}) EXPECT_NE(help.out.find(word), std::string::npos) << word;
+  for (const char* word : {"--output", "--max", "--mean", "--pixels", "--ssim", "--light", "--depth", "--motion", "--json", "--jobs", "Examples:", "Exit codes:"}) EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }
 
 }  // namespace
