@@ -30,12 +30,20 @@ Flight flightOf(const Preset& preset, const Layer& layer) {
   return out;
 }
 
+/// A layer that collides is kept above the ground, which the eddies know only where it is flat.
+Turbulence turbulenceOf(const CompileJob& job) {
+  const Layer& layer = job.layer;
+  if (layer.turbulence_m <= 0.0 || (layer.collide && !job.ground.flat())) return {};
+  return makeTurbulence(layer.turbulence_m, layer.turbulence_size_m, job.ground.height(0.0, 0.0), job.seed);
+}
+
 LayerConstants constantsOf(const CompileJob& job) {
   const Layer& layer = job.layer;
   LayerConstants c;
   c.flight = flightOf(job.preset, layer);
   if (job.parent == nullptr) c.origin_y = job.ground.height(0.0, 0.0) + (job.preset.burst == BurstKind::air ? job.preset.burst_height_m : 0.0);
   c.ground_y = job.ground.flat() ? job.ground.height(0.0, 0.0) : 0.0;
+  c.turbulence = turbulenceOf(job);
   c.start_s = layer.start_s;
   c.collide = layer.collide;
   c.restitution = layer.restitution;
@@ -233,12 +241,13 @@ Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle
   const Motion<double> m{static_cast<double>(arc.x) + (origin ? c.origin_x : 0.0), origin ? arc.start_s + c.origin_y : later_y, static_cast<double>(arc.z) + (origin ? c.origin_z : 0.0),
                          static_cast<double>(arc.vx), arc.vy, static_cast<double>(arc.vz)};
   const double tau = number == chunk.rest_arc[p] ? 0.0 : age - (origin ? 0.0 : arc.start_s);
-  switch (c.flight.law) {
-    case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(c.flight, m, tau);
-    case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(c.flight, m, tau);
-    case FlightLaw::series: return flown<FlightLaw::series, double>(c.flight, m, tau);
+  Motion<double> out = flownBy(c.flight, m, tau);
+  if (c.turbulence.amplitude_m > 0.0) {
+    const bool still = number == chunk.rest_arc[p];
+    const double pace = 1.0 / (chunk.lifetime_s[p] > 0.0 ? chunk.lifetime_s[p] : 1.0);
+    stir<double>(c.turbulence, (still ? arc.start_s : age) * pace, still ? 0.0 : pace, out);
   }
-  return m;
+  return out;
 }
 
 CompiledLayer compileLayer(const CompileJob& job) {

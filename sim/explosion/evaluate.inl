@@ -151,16 +151,26 @@ NPSEE_KERNEL_INLINE void orientation(const Chunk& chunk, int p, Doubles moving, 
   store(out.qw + at, cosine);
 }
 
+/// Out of line, so that layers without turbulence keep their registers.
+__attribute__((noinline, unused)) void stirFour(const Turbulence& eddies, const Doubles& age, const Doubles& life, const Doubles& still, Motion<Doubles>& m) {
+  const Doubles pace = 1.0 / select(life > 0.0, life, all(1.0));
+  stir<Doubles>(eddies, age * pace, select(still > 0.0, all(0.0), pace), m);
+}
+
 template <FlightLaw kLaw, class Real>
 NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chunk, double t, int four, Lookup& look_up, int in_group, int at, const FrameView<Real>& out) {
   const int p = 4 * four;
   const Gathered now = gather(c, chunk, four, look_up, in_group);
-  const Motion<Doubles> m = flown<kLaw, Doubles>(c.flight, now.motion, now.tau);
+  Motion<Doubles> m = flown<kLaw, Doubles>(c.flight, now.motion, now.tau);
+  const Doubles life = load(chunk.lifetime_s.data() + p), age = load(look_up.age + in_group);
+  if (c.turbulence.amplitude_m > 0.0) {
+    const Masks still = wideMask(now.still);
+    stirFour(c.turbulence, select(still, now.start, age), life, select(still, all(1.0), all(0.0)), m);
+  }
   store(out.x + at, m.x);
   store(out.y + at, m.y);
   store(out.z + at, m.z);
 
-  const Doubles life = load(chunk.lifetime_s.data() + p), age = load(look_up.age + in_group);
   const Doubles since_birth = sinceBirth(c, chunk, p, t);
   const Masks alive = (since_birth >= 0.0) & (since_birth < life);
   const Doubles alive_one = select(alive, all(1.0), all(0.0));

@@ -68,6 +68,16 @@ NPSEE_KERNEL_INLINE Motion<T> flown(const Flight& f, const Motion<T>& m, T tau) 
   }
 }
 
+/// The same by the layer's law.
+NPSEE_KERNEL_INLINE Motion<double> flownBy(const Flight& f, const Motion<double>& m, double tau) {
+  switch (f.law) {
+    case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(f, m, tau);
+    case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(f, m, tau);
+    case FlightLaw::series: return flown<FlightLaw::series, double>(f, m, tau);
+  }
+  return m;
+}
+
 /// Height above the arc's start plus `y`, and vertical velocity: the part of flown() that finding a contact needs.
 template <FlightLaw kLaw, class T>
 NPSEE_KERNEL_INLINE void fallen(const Flight& f, T y, T vy, T tau, T& height, T& speed) {

@@ -7,15 +7,6 @@
 namespace npsee::explosion {
 namespace {
 
-Motion<double> flownBy(const Flight& flight, const Motion<double>& m, double tau) {
-  switch (flight.law) {
-    case FlightLaw::ballistic: return flown<FlightLaw::ballistic, double>(flight, m, tau);
-    case FlightLaw::exponential: return flown<FlightLaw::exponential, double>(flight, m, tau);
-    case FlightLaw::series: return flown<FlightLaw::series, double>(flight, m, tau);
-  }
-  return m;
-}
-
 double clearance(const Ground& ground, const Motion<double>& m) { return m.y - ground.height(m.x, m.z); }
 
 /// Time in (0, life] at which the arc first goes under the ground, or kNever_s.

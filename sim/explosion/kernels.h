@@ -2,6 +2,7 @@
 
 #include "sim/explosion/arcs.h"
 #include "sim/explosion/flight.h"
+#include "sim/explosion/turbulence.h"
 
 #include <npsee/explosion.h>
 
@@ -10,6 +11,7 @@ namespace npsee::explosion {
 /// What the kernels need to know of a layer.
 struct LayerConstants {
   Flight flight;
+  Turbulence turbulence;
   double origin_x = 0, origin_y = 0, origin_z = 0;  ///< added to first arcs, m
   double ground_y = 0;                              ///< y of later arcs, m (0 over a height function)
   double start_s = 0.0;                             ///< birth of all particles where a chunk has no own times

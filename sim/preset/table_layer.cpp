@@ -23,6 +23,7 @@ Why inAllDirections(const Preset& preset, const Layer& layer) {
 Why withoutDeviation(double deviation) { return deviation == 0.0 ? "the deviation is 0" : ""; }
 Why straight(const Preset&, const Layer& layer) { return layer.trajectory == Trajectory::linear ? "the trajectory is linear" : ""; }
 Why withoutContact(const Preset&, const Layer& layer) { return layer.collide ? "" : "ground collision is off"; }
+Why withoutTurbulence(const Preset&, const Layer& layer) { return layer.turbulence_m == 0.0 ? "there is no turbulence" : ""; }
 Why overLife(const Preset&, const Layer& layer) { return layer.colour_over_life.empty() ? "" : "the colour over life replaces it"; }
 
 void addIdentity(Rows& rows) {
@@ -77,6 +78,8 @@ void addFlight(Rows& rows) {
   rows.push_back(row(&Layer::trajectory, Trajectory::parabolic, {.key = "trajectory", .label = "Trajectory", .thesis = "linear or parabolic", .doc = "Linear: straight at launch velocity, without gravity, drag or wind. Parabolic: under gravity, with drag if there is any.", .section = flight}));
   rows.push_back(row(&Layer::drag_ps, 0.0, {.key = "drag", .label = "Drag", .thesis = "", .doc = "Rate at which velocity relative to the wind decays; 0 is flight without air.", .section = flight, .unit = Unit::per_second, .hard = {0, 100}, .slider = {0, 5}, .idle = straight}));
   rows.push_back(row(&Layer::buoyancy_mps2, 0.0, {.key = "buoyancy", .label = "Buoyancy", .thesis = "", .doc = "Upward acceleration that works against gravity, as hot gas has it.", .section = flight, .unit = Unit::metre_per_second2, .hard = {-100, 100}, .slider = {0, 20}, .idle = straight}));
+  rows.push_back(row(&Layer::turbulence_m, 0.0, {.key = "turbulence", .label = "Turbulence", .thesis = "", .doc = "Farthest that eddies carry a particle off its path; about a quarter of it is usual, and it grows from nothing at birth. 0 is still air. A layer that collides has it on flat ground only.", .section = flight, .unit = Unit::metre, .hard = {0, 100}, .slider = {0, 10}}));
+  rows.push_back(row(&Layer::turbulence_size_m, 4.0, {.key = "turbulence_size", .label = "Eddy size", .thesis = "", .doc = "Size of the largest eddies: particles nearer to each other than that move together.", .section = flight, .unit = Unit::metre, .hard = {0.01, 1000}, .slider = {0.1, 30}, .scale = Scale::logarithmic, .idle = withoutTurbulence}));
 }
 
 void addGround(Rows& rows) {

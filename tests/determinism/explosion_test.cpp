@@ -51,6 +51,16 @@ std::string exactBytes(const Explosion& explosion, double t, int threads = 1) {
   return bytesOf(frame);
 }
 
+/// The same with eddies in every layer.
+Preset stirred() {
+  Preset preset = family();
+  for (Layer& layer : preset.layers) {
+    layer.turbulence_m = 1.5;
+    layer.turbulence_size_m = 3.0;
+  }
+  return preset;
+}
+
 const double kTimes[] = {0.0, 0.3, 1.7, 2.14, 4.4, 5.9, 7.5};
 
 TEST(Determinism, SeekingInAnyOrderGivesTheSameBytes) {
@@ -79,6 +89,17 @@ TEST(Determinism, AnyNumberOfThreadsGivesTheSameBytes) {
 TEST(Determinism, EveryInstructionSetGivesTheSameBytes) {
   const auto best = compiled(family()), baseline = compiled(family(), nullptr, {.force_baseline = true});
   for (const double t : kTimes) EXPECT_EQ(exactBytes(*best, t), exactBytes(*baseline, t)) << t;
+}
+
+TEST(Determinism, TurbulenceHasTheSameBytesForAnyOrderThreadsAndInstructionSet) {
+  const auto best = compiled(stirred()), seven = compiled(stirred(), nullptr, {.threads = 7}), baseline = compiled(stirred(), nullptr, {.force_baseline = true});
+  std::vector<std::string> forwards;
+  for (const double t : kTimes) forwards.push_back(exactBytes(*best, t));
+  for (std::size_t i = std::size(kTimes); i-- > 0;) {
+    EXPECT_EQ(exactBytes(*best, kTimes[i], 3), forwards[i]) << kTimes[i];
+    EXPECT_EQ(exactBytes(*seven, kTimes[i]), forwards[i]) << kTimes[i];
+    EXPECT_EQ(exactBytes(*baseline, kTimes[i]), forwards[i]) << kTimes[i];
+  }
 }
 
 TEST(Determinism, FramesForDrawingAreTheExactOnesRounded) {

@@ -89,6 +89,8 @@ struct Layer {
   Trajectory trajectory;
   double drag_ps;
   double buoyancy_mps2;
+  double turbulence_m;
+  double turbulence_size_m;
 
   bool collide;
   double restitution;
