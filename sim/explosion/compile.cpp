@@ -3,6 +3,7 @@
 #include "sim/core/parallel.h"
 #include "sim/explosion/children.h"
 #include "sim/explosion/emission.h"
+#include "sim/explosion/shock_growth.h"
 #include "sim/preset/stream.h"
 
 #include <algorithm>
@@ -17,10 +18,12 @@ Flight flightOf(const Preset& preset, const Layer& layer) {
   Flight out;
   if (layer.trajectory == Trajectory::linear) return out;
   out.a = layer.buoyancy_mps2 - preset.gravity_mps2;
+  // What flows along the ground lies on it.
+  if (layer.follow_ground) out.a = std::max(out.a, 0.0);
   out.k = layer.drag_ps;
   if (out.k <= 0.0) return out;
   out.wx = preset.wind_mps.x;
-  out.wy = preset.wind_mps.y;
+  out.wy = layer.follow_ground ? 0.0 : preset.wind_mps.y;
   out.wz = preset.wind_mps.z;
   out.law = out.k < kWeakDrag_ps ? FlightLaw::series : FlightLaw::exponential;
   if (out.law == FlightLaw::exponential) {
@@ -33,7 +36,7 @@ Flight flightOf(const Preset& preset, const Layer& layer) {
 /// A layer that collides is kept above the ground, which the eddies know only where it is flat.
 Turbulence turbulenceOf(const CompileJob& job) {
   const Layer& layer = job.layer;
-  if (layer.turbulence_m <= 0.0 || (layer.collide && !job.ground.flat())) return {};
+  if (layer.turbulence_m <= 0.0 || ((layer.collide || layer.follow_ground) && !job.ground.flat())) return {};
   return makeTurbulence(layer.turbulence_m, layer.turbulence_size_m, job.ground.height(0.0, 0.0), job.seed);
 }
 
@@ -45,7 +48,8 @@ LayerConstants constantsOf(const CompileJob& job) {
   c.ground_y = job.ground.flat() ? job.ground.height(0.0, 0.0) : 0.0;
   c.turbulence = turbulenceOf(job);
   c.start_s = layer.start_s;
-  c.collide = layer.collide;
+  c.follow = layer.follow_ground;
+  c.collide = layer.collide && !layer.follow_ground;
   c.restitution = layer.restitution;
   c.friction = layer.friction;
   c.rest_speed_mps = layer.rest_speed_mps;
@@ -56,12 +60,14 @@ LayerConstants constantsOf(const CompileJob& job) {
   c.colour_over_life = layer.colour_over_life;
   c.opacity_over_life = layer.opacity_over_life;
   c.size_over_life = layer.size_over_life;
+  if (layer.form == Form::shock && c.size_over_life.empty()) c.size_over_life = shockGrowth();
+  if (layer.form == Form::shock && c.opacity_over_life.empty()) c.opacity_over_life = shockFading();
   return c;
 }
 
 /// Bytes a particle of the layer is likely to need: its arcs with their start times, and what it draws.
 std::size_t expectedBytes(const Layer& layer) {
-  const double bounces = layer.collide ? std::min(static_cast<double>(layer.bounce_limit) + 1.0, 6.0) : 0.0;
+  const double bounces = layer.collide && !layer.follow_ground ? std::min(static_cast<double>(layer.bounce_limit) + 1.0, 6.0) : 0.0;
   return 60 + static_cast<std::size_t>((1.0 + bounces) * 36.0);
 }
 
@@ -73,6 +79,7 @@ struct LayerBuild {
   std::uint32_t stream;
   std::size_t per_event;               ///< particles per event
   std::vector<ParentEvent> events;     ///< empty for a layer of the burst itself
+  std::vector<double> path_ages;       ///< of children along a path: the parent's age at which each starts
   bool own_births;                     ///< birth times differ between particles
   double centre_above;                 ///< height of the burst's centre above the ground
 };
@@ -92,8 +99,7 @@ Launch launchOf(const LayerBuild& build, std::size_t number, double& birth) {
   birth = layer.start_s + layer.duration_s * part;
   if (!child) return out;
 
-  const double path_part = (static_cast<double>(in_event) + 0.5) / static_cast<double>(build.per_event);
-  const ChildStart start = childStart(*build.job.parent, event, layer.trigger, path_part);
+  const ChildStart start = childStart(*build.job.parent, event, layer.trigger, build.path_ages.empty() ? 0.0 : build.path_ages[number]);
   birth += start.time_s;
   out.place = out.place + Vec3{start.motion.x, start.motion.y, start.motion.z};
   out.velocity = out.velocity + layer.inherit_velocity * Vec3{start.motion.vx, start.motion.vy, start.motion.vz};
@@ -129,7 +135,7 @@ void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, 
     launches.y[at] = static_cast<float>(drawn.place.y);
     launches.z[at] = static_cast<float>(drawn.place.z);
     launches.vx[at] = floatTowardsZero(drawn.velocity.x);
-    launches.vy[at] = drawn.velocity.y;
+    launches.vy[at] = build.constants.follow ? std::fabs(drawn.velocity.y) : drawn.velocity.y;
     launches.vz[at] = floatTowardsZero(drawn.velocity.z);
     launches.lifetime_s[at] = chunk.lifetime_s[at] = drawn.lifetime_s;
     if (build.own_births) chunk.birth_s[at] = birth;
@@ -146,11 +152,16 @@ void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, 
     for (double* values : {launches.x, launches.y, launches.z, launches.vx, launches.vy, launches.vz, launches.lifetime_s}) values[at] = 0.0;
 }
 
-/// Pieces that start under the ground start on it, as seen from the layer's origin.
+/// Pieces that start under the ground start on it, as seen from the layer's origin. What follows the ground starts as high over it as it
+/// would over level ground.
 void liftToGround(const LayerBuild& build, int count, Launches& launches) {
   const LayerConstants& c = build.constants;
-  if (!c.collide) return;
+  if (!c.collide && !c.follow) return;
+  const Ground& surface = build.job.ground;
+  const double level = surface.height(0.0, 0.0);
+  const bool moved = c.follow && build.job.parent == nullptr && !surface.flat();
   for (int i = 0; i < count; ++i) {
+    if (moved) launches.y[i] = static_cast<float>(launches.y[i] + surface.height(launches.x[i] + c.origin_x, launches.z[i] + c.origin_z) - level);
     const double ground = build.job.ground.height(launches.x[i] + c.origin_x, launches.z[i] + c.origin_z);
     if (launches.y[i] + c.origin_y < ground) launches.y[i] = static_cast<float>(ground - c.origin_y);
   }
@@ -169,7 +180,8 @@ void findArcsOfEight(const LayerBuild& build, const Launches& from, int first, A
     room.arcs[lane][0] = {from.y[i], from.vy[i], static_cast<float>(from.x[i]), static_cast<float>(from.z[i]), static_cast<float>(from.vx[i]), static_cast<float>(from.vz[i])};
     room.heights[lane][0] = 0.0f;
     const Motion<double> motion{from.x[i] + c.origin_x, from.y[i] + c.origin_y, from.z[i] + c.origin_z, from.vx[i], from.vy[i], from.vz[i]};
-    findArcsOnHeights(c, build.job.ground, motion, from.lifetime_s[i], room, lane);
+    if (c.follow) findArcsAlongGround(c, build.job.ground, motion, from.lifetime_s[i], room, lane);
+    else findArcsOnHeights(c, build.job.ground, motion, from.lifetime_s[i], room, lane);
   }
 }
 
@@ -258,10 +270,11 @@ CompiledLayer compileLayer(const CompileJob& job) {
   out.first = job.first;
 
   const bool child = job.parent != nullptr;
-  LayerBuild build{job, out.constants, Emission(job.preset, job.layer, child), layerStream(job.layer), static_cast<std::size_t>(particleCount(job.layer)), {},
+  LayerBuild build{job, out.constants, Emission(job.preset, job.layer, child), layerStream(job.layer), static_cast<std::size_t>(particleCount(job.layer)), {}, {},
                    child || job.layer.duration_s > 0.0, out.constants.origin_y - job.ground.height(0.0, 0.0)};
   if (child) build.events = parentEvents(*job.parent, job.layer.trigger);
   out.count = build.per_event * (child ? build.events.size() : 1);
+  if (child && job.layer.trigger == Trigger::path) build.path_ages = pathAges(*job.parent, build.events, build.per_event, job.layer.path_spacing, job.threads);
   out.memory = std::make_unique<Arena>(out.count * expectedBytes(job.layer));
   out.chunks.reserve((out.count + kChunkParticles - 1) / kChunkParticles);
   // One by one: copies of a chunk would leave the arena.

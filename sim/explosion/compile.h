@@ -43,4 +43,9 @@ Motion<double> stateOf(const LayerConstants& constants, const Chunk& chunk, int 
 /// most half of the ground's detail, then bisected to rounding.
 void findArcsOnHeights(const LayerConstants& constants, const Ground& ground, const Motion<double>& motion, double lifetime_s, ArcRoom& room, int lane);
 
+/// Arcs of a particle that follows the ground: its way over level ground, cut where the ground under it may turn, each piece leading to the
+/// ground's height at the next cut plus its own height above it. Between two cuts (half of the ground's detail, or a 48th of the way where
+/// that is longer) it may be off by what the ground bends there.
+void findArcsAlongGround(const LayerConstants& constants, const Ground& ground, const Motion<double>& motion, double lifetime_s, ArcRoom& room, int lane);
+
 }  // namespace npsee::explosion

@@ -145,7 +145,7 @@ double draw(Distribution distribution, double mean, double deviation, double par
 
 Emission::Emission(const Preset& preset, const Layer& the_layer, bool parented) : layer(the_layer), has_parent(parented) {
   neutral = layer.directionality == Directionality::neutral || (layer.directionality == Directionality::burst && preset.burst == BurstKind::air && !has_parent);
-  mirror = preset.burst == BurstKind::ground && !has_parent && layer.collide;
+  mirror = preset.burst == BurstKind::ground && !has_parent && (layer.collide || layer.follow_ground);
   centred_height = preset.burst == BurstKind::air || has_parent;
 
   axis = unit(layer.direction);

@@ -187,7 +187,7 @@ NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chun
     store(out.vz + at, m.vz);
   }
   if (out.age) store(out.age + at, age);
-  if (out.bounces) storeCounts(out.bounces + at, now.number);
+  if (out.bounces) storeCounts(out.bounces + at, c.follow ? Ints{0, 0, 0, 0} : now.number);
   if (!out.r && !out.qx) return;
   const Doubles phase = widen(load(chunk.phase_rad.data() + p));
   if (out.r) look(c, life_part, alive_one, phase, at, out);

@@ -25,6 +25,7 @@ struct Explosion::Impl {
   double duration_s = 0.0;
   const Kernels* kernels = nullptr;
   Vec3 burst;
+  double ground_y = 0.0;
   mutable std::once_flag extent_once;
   mutable Extent extent;
 
@@ -130,6 +131,7 @@ Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& pres
 
   auto impl = std::make_unique<Impl>();
   impl->kernels = options.force_baseline ? &explosion::baselineKernels() : &explosion::bestKernels();
+  impl->ground_y = surface.height(0.0, 0.0);
   impl->burst = {0.0, surface.height(0.0, 0.0) + (preset.burst == BurstKind::air ? preset.burst_height_m : 0.0), 0.0};
 
   // Children need their parents' arcs; frames keep the preset's order.
@@ -168,7 +170,7 @@ void Explosion::at(double t_s, Frame& out, unsigned fields, int threads) const {
 void Explosion::at(double t_s, ExactFrame& out, unsigned fields, int threads) const { impl_->at(t_s, out, fields, threads); }
 
 const Extent& Explosion::extent() const {
-  std::call_once(impl_->extent_once, [this] { impl_->extent = explosion::extentOf(impl_->layers, impl_->burst); });
+  std::call_once(impl_->extent_once, [this] { impl_->extent = explosion::extentOf(impl_->layers, impl_->burst, impl_->ground_y); });
   return impl_->extent;
 }
 

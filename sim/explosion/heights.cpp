@@ -79,4 +79,32 @@ void findArcsOnHeights(const LayerConstants& c, const Ground& ground, const Moti
   }
 }
 
+void findArcsAlongGround(const LayerConstants& c, const Ground& ground, const Motion<double>& launch, double life, ArcRoom& room, int lane) {
+  constexpr int kMostCuts = 48;
+  const double above = std::max(0.0, launch.y - ground.height(launch.x, launch.z)), speed = std::sqrt(launch.vx * launch.vx + launch.vz * launch.vz);
+  const double thrown = c.flight.k > 0.0 ? std::min(speed * life, speed / c.flight.k) : speed * life;
+  const double way = thrown + life * std::sqrt(c.flight.wx * c.flight.wx + c.flight.wz * c.flight.wz);
+  const int cuts = std::clamp(static_cast<int>(std::min(1e6, way / (0.5 * std::max(1e-3, ground.detail())))) + 1, 1, kMostCuts);
+  const auto heightAbove = [&](double t) { return flownBy(c.flight, {0.0, above, 0.0, 0.0, launch.vy, 0.0}, t).y; };
+  Motion<double> m = launch;
+  double start = 0.0;
+  for (int cut = 1; cut <= cuts; ++cut) {
+    // Closer together at first, where the way is fast.
+    const double end = life * (cut * cut) / (static_cast<double>(cuts) * cuts), tau = end - start;
+    Motion<double> next = flownBy(c.flight, m, tau);
+    next.x = static_cast<float>(next.x);
+    next.z = static_cast<float>(next.z);
+    next.y = notUnder(ground.height(next.x, next.z) + heightAbove(end));
+    // The height at the arc's end is linear in the vertical velocity at its beginning.
+    const double unmoved = flownBy(c.flight, {0.0, m.y, 0.0, 0.0, 0.0, 0.0}, tau).y, per_speed = flownBy(c.flight, {0.0, m.y, 0.0, 0.0, 1.0, 0.0}, tau).y - unmoved;
+    room.arcs[lane][room.last[lane]].vy = per_speed > 0.0 ? (next.y - unmoved) / per_speed : 0.0;
+    if (cut == cuts) return;
+    next.vx = floatTowardsZero(next.vx);
+    next.vz = floatTowardsZero(next.vz);
+    append(room, lane, end, next);
+    m = next;
+    start = end;
+  }
+}
+
 }  // namespace npsee::explosion

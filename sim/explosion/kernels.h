@@ -15,6 +15,7 @@ struct LayerConstants {
   double origin_x = 0, origin_y = 0, origin_z = 0;  ///< added to first arcs, m
   double ground_y = 0;                              ///< y of later arcs, m (0 over a height function)
   double start_s = 0.0;                             ///< birth of all particles where a chunk has no own times
+  bool follow = false;                              ///< flows along the ground: arcs are no contacts
   bool collide = true;
   double restitution = 0, friction = 0, rest_speed_mps = 0;
   int bounce_limit = 0;

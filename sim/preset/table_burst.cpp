@@ -19,6 +19,7 @@ std::vector<Parameter> burstRows() {
   add(row(&Preset::wind_mps, Vec3{}, {.key = "wind", .label = "Wind", .thesis = "", .doc = "Velocity of the air: x east, y up, z south. Particles with drag are carried towards it.", .section = surroundings, .unit = Unit::metre_per_second, .hard = {-200, 200}, .slider = {-30, 30}}));
   add(row(&Preset::ground_height_m, 0.0, {.key = "ground.height", .label = "Ground height", .thesis = "", .doc = "Height of the flat ground in the world.", .section = surroundings, .unit = Unit::metre, .hard = {-10000, 10000}, .slider = {-10, 10}}));
   add(row(&Preset::ground_colour, Colour{0.46, 0.44, 0.38}, {.key = "ground.colour", .label = "Ground colour", .thesis = "", .doc = "Colour of the ground in pictures.", .section = surroundings, .hard = {0, 1}}));
+  add(row(&Preset::sky, Sky::day, {.key = "sky", .label = "Sky", .thesis = "", .doc = "Hour in pictures: sky, light of the sun, and how bright the ground is. What shines by itself lights the ground at any hour. In a mission the mission's hour counts.", .section = surroundings}));
   return rows;
 }
 

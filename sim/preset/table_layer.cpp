@@ -22,7 +22,9 @@ Why inAllDirections(const Preset& preset, const Layer& layer) {
 }
 Why withoutDeviation(double deviation) { return deviation == 0.0 ? "the deviation is 0" : ""; }
 Why straight(const Preset&, const Layer& layer) { return layer.trajectory == Trajectory::linear ? "the trajectory is linear" : ""; }
-Why withoutContact(const Preset&, const Layer& layer) { return layer.collide ? "" : "ground collision is off"; }
+Why alongTheGround(const Preset&, const Layer& layer) { return layer.follow_ground ? "the layer flows along the ground" : ""; }
+Why withoutContact(const Preset& preset, const Layer& layer) { return layer.collide ? alongTheGround(preset, layer) : "ground collision is off"; }
+Why offAPath(const Preset&, const Layer& layer) { return layer.parent.empty() || layer.trigger != Trigger::path ? "the layer is not spread along a path" : ""; }
 Why withoutTurbulence(const Preset&, const Layer& layer) { return layer.turbulence_m == 0.0 ? "there is no turbulence" : ""; }
 Why overLife(const Preset&, const Layer& layer) { return layer.colour_over_life.empty() ? "" : "the colour over life replaces it"; }
 
@@ -35,6 +37,7 @@ void addIdentity(Rows& rows) {
 void addHierarchy(Rows& rows) {
   rows.push_back(row(&Layer::parent, std::string(), {.key = "parent", .label = "Hangs on", .thesis = "hierarchy of systems", .doc = "Name of the layer whose particles start this one's; empty for the burst itself.", .section = hierarchy, .hard = {0, 40}}));
   rows.push_back(row(&Layer::trigger, Trigger::none, {.key = "trigger", .label = "Trigger", .thesis = "", .doc = "When a parent particle starts children: at its birth, spread along its path, at each bounce, or at its death; none without a parent.", .section = hierarchy, .idle = withoutParent}));
+  rows.push_back(row(&Layer::path_spacing, PathSpacing::time, {.key = "path_spacing", .label = "Path spacing", .thesis = "", .doc = "Children along a path start at even times, so that they stand close where the parent is slow, or at even distances, so that a trail has neither gaps nor knots.", .section = hierarchy, .idle = offAPath}));
   rows.push_back(row(&Layer::inherit_velocity, 0.0, {.key = "inherit_velocity", .label = "Inherit velocity", .thesis = "", .doc = "Share of the parent particle's velocity at that moment that is added to a child's launch velocity.", .section = hierarchy, .unit = Unit::fraction, .hard = {-2, 2}, .slider = {0, 1}, .idle = withoutParent}));
 }
 
@@ -83,7 +86,8 @@ void addFlight(Rows& rows) {
 }
 
 void addGround(Rows& rows) {
-  rows.push_back(row(&Layer::collide, true, {.key = "collide", .label = "Ground collision", .thesis = "ground collision", .doc = "Particles bounce on the ground; otherwise they pass through it.", .section = ground}));
+  rows.push_back(row(&Layer::follow_ground, false, {.key = "follow_ground", .label = "Follow the ground", .thesis = "", .doc = "Particles flow along the ground instead of falling and bouncing, as a skirt of dust does: nothing pulls them down, drag slows them upward as along the ground, only buoyancy beyond gravity lifts them, and over terrain they rise and sink with it.", .section = ground}));
+  rows.push_back(row(&Layer::collide, true, {.key = "collide", .label = "Ground collision", .thesis = "ground collision", .doc = "Particles bounce on the ground; otherwise they pass through it.", .section = ground, .idle = alongTheGround}));
   rows.push_back(row(&Layer::restitution, 0.45, {.key = "restitution", .label = "Restitution", .thesis = "damping of energy", .doc = "Speed away from the ground after a bounce over the speed towards it before.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}, .idle = withoutContact}));
   rows.push_back(row(&Layer::friction, 0.25, {.key = "friction", .label = "Friction", .thesis = "", .doc = "Share of the speed along the ground that a bounce takes away.", .section = ground, .unit = Unit::fraction, .hard = {0, 1}, .idle = withoutContact}));
   rows.push_back(row(&Layer::bounce_limit, std::int64_t{8}, {.key = "bounce_limit", .label = "Bounce limit", .thesis = "", .doc = "Bounces after which a particle stays where it touches the ground next.", .section = ground, .hard = {0, 64}, .slider = {0, 16}, .idle = withoutContact}));
@@ -91,7 +95,7 @@ void addGround(Rows& rows) {
 }
 
 void addLook(Rows& rows) {
-  rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices.", .section = look}));
+  rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices. A shock is a blast front with its ring on the ground: its size is the diameter at the end of its life, and growth and fading follow the law of a strong shock unless curves over life are given. A scorch is a burnt patch on the ground under the particle.", .section = look}));
   rows.push_back(row(&Layer::colour, Colour{0.82, 0.70, 0.52}, {.key = "colour", .label = "Initial colour", .thesis = "initial colour", .doc = "Colour of the particles, sRGB.", .section = look, .hard = {0, 1}, .idle = overLife}));
   rows.push_back(row(&Layer::colour_variation, 0.15, {.key = "colour_variation", .label = "Colour variation", .thesis = "", .doc = "Largest share by which a particle is brighter or darker than its layer.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
   rows.push_back(row(&Layer::opacity, 1.0, {.key = "opacity", .label = "Opacity", .thesis = "", .doc = "Opacity of the particles.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));

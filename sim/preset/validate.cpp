@@ -93,7 +93,7 @@ double mostParticles(const Preset& preset, const Layer& layer) {
     const int index = findLayer(preset, child->parent);
     if (index < 0) break;
     const Layer& parent = preset.layers[static_cast<std::size_t>(index)];
-    const double events = child->trigger == Trigger::bounce ? static_cast<double>(parent.collide ? parent.bounce_limit + 1 : 0) : 1.0;
+    const double events = child->trigger == Trigger::bounce ? static_cast<double>(parent.collide && !parent.follow_ground ? parent.bounce_limit + 1 : 0) : 1.0;
     count *= events * static_cast<double>(particleCount(parent));
     child = &parent;
   }

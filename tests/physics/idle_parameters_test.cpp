@@ -20,6 +20,8 @@ Preset someLayer(std::mt19937_64& random) {
   layer.count = 12;
   layer.duration_s = 0.0;
   layer.collide = random() % 2 == 0;
+  layer.follow_ground = random() % 4 == 0;
+  if (random() % 3 == 0) layer.turbulence_m = 0.0;
   if (random() % 3 == 0) layer.speed_deviation_mps = layer.size_deviation_m = 0.0;
   if (random() % 3 == 0) layer.colour_over_life = {{0.0, {1.0, 0.5, 0.0}}, {1.0, {0.1, 0.1, 0.1}}};
   if (random() % 3 != 0) return preset;

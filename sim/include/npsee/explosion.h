@@ -49,9 +49,10 @@ struct LayerSpan {
   Form form{};
 };
 
-/// Box that holds (all but stray outliers of) the particles over the whole effect, and its radius.
+/// Box that holds what is drawn over the whole effect, all but strays, with its sizes; for cameras.
 struct Extent {
   Vec3 min, max;
+  double reach_m = 0.0;  ///< farthest that anything is drawn from the box's centre, strays included; of at most 300 particles a layer
   Vec3 centre() const { return 0.5 * (min + max); }
   double radius_m() const { return 0.5 * length(max - min); }
 };

@@ -40,8 +40,10 @@ enum class Directionality { burst, cone, neutral };
 enum class AngleDistribution { normal, uniform, place };
 enum class Distribution { normal, uniform };
 enum class Trajectory { linear, parabolic };
-enum class Form { tetrahedron, disc, sphere, shard, streak, smoke, fire, flash };
+enum class Form { tetrahedron, disc, sphere, shard, streak, smoke, fire, flash, shock, scorch };
 enum class Trigger { none, birth, path, bounce, death };
+enum class PathSpacing { time, distance };
+enum class Sky { day, dusk, night };
 
 /// One particle system of a preset. The meaning, unit, range and default of every member stand in the parameter table
 /// (sim/preset/table_layer.cpp, `npsee params`); a new Layer holds the table's defaults.
@@ -54,6 +56,7 @@ struct Layer {
 
   std::string parent;  ///< name of the layer whose particles this one hangs on; empty = the burst itself
   Trigger trigger;
+  PathSpacing path_spacing;
   double inherit_velocity;
 
   RegionShape region_shape;
@@ -92,6 +95,7 @@ struct Layer {
   double turbulence_m;
   double turbulence_size_m;
 
+  bool follow_ground;
   bool collide;
   double restitution;
   double friction;
@@ -122,6 +126,7 @@ struct Preset {
   Vec3 wind_mps;
   double ground_height_m;
   Colour ground_colour;
+  Sky sky;
   std::int64_t seed;
   std::vector<Layer> layers;
 
