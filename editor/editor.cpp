@@ -24,6 +24,7 @@ class RendererPictures final : public Pictures {
     scene.layers = session.explosion()->layers();
     scene.ground_height_m = preset.ground_height_m;
     scene.ground_colour = preset.ground_colour;
+    scene.sky = preset.sky;
     return id(renderer_.drawToTexture(scene, session.camera, width, height, 0));
   }
 

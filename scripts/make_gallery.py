@@ -15,9 +15,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 THUMBNAILS = ROOT / "presets" / "thumbnails"
 PAGE = ROOT / "docs" / "presets.md"
 SIZE = "256x160"
-NIGHT = "#10141e"
 
-# The moment that tells most of a preset, and what stands behind it; others are drawn after a quarter of their time.
+# The moment that tells most of a preset, others are drawn after a quarter of their time.
 MOMENTS = {
     "air_burst": "1.3",
     "cascade": "2.2",
@@ -41,7 +40,6 @@ MOMENTS = {
     "wall_of_fire": "2.4",
     "white_smoke_shell": "2.8",
 }
-BEHIND = {"firework_crossette": NIGHT, "firework_peony": NIGHT, "firework_willow": NIGHT}
 # The whole effect otherwise; a firework's ground and its way up would make its flower small.
 CAMERAS = {
     "firework_crossette": "eye=27,36,80 target=0,41.5,0",
@@ -55,7 +53,7 @@ Each lies in [presets](../presets) as `NAME.npsee.json`, opens in the editor fro
 `npsee render presets/NAME.npsee.json -o NAME.png`. Missions name them where a shell shall burst as one of them. Copy one to begin a
 preset of your own: every figure in them is a parameter that `npsee params` explains.
 
-The fireworks are shown before a dark sky, as `--background "#10141e"` draws them. This page is made by `scripts/make_gallery.py`.
+The hour (day, dusk or night) is a parameter of the preset, `sky`. This page is made by `scripts/make_gallery.py`.
 """
 
 
@@ -66,7 +64,7 @@ def names() -> list[str]:
 def draw(npsee: str, name: str, how: list[str]) -> bool:
     """Draws one thumbnail, or only verifies it; false where it is not up to date."""
     command = [npsee, "render", str(ROOT / "presets" / f"{name}.npsee.json"), "-o", str(THUMBNAILS / f"{name}.png"), "--size", SIZE]
-    command += ["--time", MOMENTS.get(name, "25%"), "--background", BEHIND.get(name, "sky"), "--camera", CAMERAS.get(name, "auto"), "--progress", "never"]
+    command += ["--time", MOMENTS.get(name, "25%"), "--camera", CAMERAS.get(name, "auto"), "--progress", "never"]
     done = subprocess.run(command + how, stdout=subprocess.DEVNULL)
     if done.returncode > 1 or (done.returncode == 1 and how != ["--verify"]):
         sys.exit(f"{' '.join(command)}: exit code {done.returncode}")

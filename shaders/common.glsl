@@ -18,10 +18,11 @@ vec3 litDiffuse(vec3 albedo, vec3 normal) {
 
 // In a mission the light of the hour and the air between count; elsewhere both stay as they are by default.
 uniform float u_dimmed = 0.0;          // share of the light that is missing
+uniform vec3 u_daylight = vec3(1.0);   // on the sun and the sky, by the hour of an explosion
 uniform float u_haze_extinction = 0.0; // of the air, per metre
 uniform vec3 u_haze_colour = vec3(0.0);
 
-vec3 dimmed(vec3 light) { return light * (1.0 - u_dimmed); }
+vec3 dimmed(vec3 light) { return light * (u_daylight * (1.0 - u_dimmed)); }
 // Without haze exactly 1, which a driver's exp(0) need not be.
 float clearTo(float distance_m) { return u_haze_extinction > 0.0 ? exp(-u_haze_extinction * distance_m) : 1.0; }
 

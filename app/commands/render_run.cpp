@@ -18,6 +18,7 @@ PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& 
   job.scene.layers = explosion.layers();
   job.scene.ground_height_m = preset.ground_height_m;
   job.scene.ground_colour = preset.ground_colour;
+  job.scene.sky = preset.sky;
   job.scene.background = plan.background;
   job.width = plan.width;
   job.height = plan.height;

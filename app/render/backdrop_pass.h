@@ -12,6 +12,7 @@ struct Backdrop {
   View view;
   double ground_m = 0.0;
   Colour ground_colour;
+  Sky sky = Sky::day;
   bool grid = true;
 
   friend bool operator==(const Backdrop&, const Backdrop&) = default;

@@ -46,6 +46,7 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const LayerSpan& layer = layers[l];
     const bool soft = isSoft(layer.form);
+    if (!soft && !isSolid(layer.form)) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       const float a = frame.a[i];

@@ -13,6 +13,8 @@ namespace {
 
 /// Share of the picture's half width and height that the effect may fill.
 constexpr double kFill = 0.96;
+/// Share of the room left above and below an effect that is moved from below it to above.
+constexpr double kSkyward = 0.45;
 /// Camera distances that `framing` chooses, m; the upper end suits the largest preset there can be.
 constexpr double kNearest = 2.0, kFarthest = 1e5;
 constexpr double kMinFov = 1.0 / 180.0 * kPi, kMaxFov = 150.0 / 180.0 * kPi;
@@ -55,7 +57,9 @@ Camera frameFrom(const Extent& extent, Vec3 back, double aspect) {
   }
   const double wanted = std::max((x_high - x_low) / (2.0 * tan_x), (y_high - y_low) / (2.0 * tan_y));
   const bool sane = std::isfinite(wanted) && wanted < kFarthest;
-  camera.target = sane ? centre + (0.5 * (x_high + x_low)) * right + (0.5 * (y_high + y_low)) * up : Vec3{};
+  // Room above and below is given to the sky rather than to an empty foreground.
+  const double slack = std::max(0.0, wanted * tan_y - 0.5 * (y_high - y_low)), raised = std::abs(back.y) < 0.7 ? kSkyward * slack : 0.0;
+  camera.target = sane ? centre + (0.5 * (x_high + x_low)) * right + (0.5 * (y_high + y_low) + raised) * up : Vec3{};
   camera.eye = camera.target + (sane ? std::max(wanted, kNearest) : kFarthest) * back;
   return camera;
 }

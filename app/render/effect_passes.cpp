@@ -18,7 +18,9 @@ double shadowStrength(Form form) {
     case Form::smoke:
     case Form::streak:
     case Form::fire:
-    case Form::flash: break;
+    case Form::flash:
+    case Form::shock:
+    case Form::scorch: break;
   }
   return 0.0;
 }
@@ -44,6 +46,36 @@ Expected<EffectPasses> EffectPasses::create() {
   return passes;
 }
 
+Expected<void> EffectPasses::drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t count = countIn(layer, frame);
+    if (count == 0 || layer.form != Form::scorch) continue;
+    if (auto made = makeOnce(scorch_); !made) return made;
+    scorch_->draw(view, frame_, layer.first, count, ground);
+  }
+  return {};
+}
+
+Expected<void> EffectPasses::drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t count = countIn(layer, frame);
+    if (count == 0 || layer.form != Form::shock) continue;
+    if (auto made = makeOnce(shock_); !made) return made;
+    shock_->drawRings(view, frame_, layer.first, count, ground);
+  }
+  return {};
+}
+
+Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t count = countIn(layer, frame);
+    if (count == 0 || layer.form != Form::shock) continue;
+    if (auto made = makeOnce(shock_); !made) return made;
+    shock_->drawShells(view, frame_, layer.first, count, ground);
+  }
+  return {};
+}
+
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers) {
     const std::size_t count = countIn(layer, frame);
@@ -66,7 +98,7 @@ Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& groun
 
 void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers)
-    if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
+    if (const std::size_t count = countIn(layer, frame); count > 0 && isSolid(layer.form)) solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
 }
 
 Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
@@ -89,7 +121,7 @@ Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<con
   if (auto made = makeOnce(solid_surfaces_, ParticleOutput::surface); !made) return made;
   frame_.uploadVelocities(frame);
   for (const LayerSpan& layer : layers)
-    if (const std::size_t count = countIn(layer, frame); count > 0 && !isSoft(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
+    if (const std::size_t count = countIn(layer, frame); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
   return {};
 }
 

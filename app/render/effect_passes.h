@@ -4,7 +4,9 @@
 #include "app/render/glow_pass.h"
 #include "app/render/smoke_shade.h"
 #include "app/render/smoke_shadow_pass.h"
+#include "app/render/scorch_pass.h"
 #include "app/render/shadow_pass.h"
+#include "app/render/shock_pass.h"
 #include "app/render/soft_pass.h"
 #include "app/render/solid_pass.h"
 
@@ -21,9 +23,14 @@ class EffectPasses {
 
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
   void upload(const Frame& frame) { frame_.upload(frame); }
+  /// Burnt ground, which belongs to the ground: before everything else.
+  Expected<void> drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   /// The light of the ground's glow on the ground; nothing where it does not shine.
   Expected<void> drawGlow(const View& view, const GroundLevel& ground);
+  /// Blast fronts: where they meet the ground, before pieces; in the air, after everything else.
+  Expected<void> drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  Expected<void> drawShockShells(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
 
@@ -36,6 +43,8 @@ class EffectPasses {
   SolidPass solid_;
   ShadowPass shadow_;
   // Compiled when a picture needs them: start-up time counts.
+  std::optional<ScorchPass> scorch_;
+  std::optional<ShockPass> shock_;
   std::optional<GlowPass> glow_;
   std::optional<SmokeShadowPass> smoke_shadow_;
   std::optional<SoftPass> soft_;

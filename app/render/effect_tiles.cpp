@@ -1,6 +1,7 @@
 #include "app/render/effect_tiles.h"
 
 #include "app/render/meshes.h"
+#include "app/render/shock_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,17 @@ double reachOf(const Frame& frame, std::size_t i, Form form, double above_ground
   return size + 0.01 * length({static_cast<double>(frame.vx[i]), static_cast<double>(frame.vy[i]), static_cast<double>(frame.vz[i])});
 }
 
+/// Marks a blast front or a burnt patch; the ground's share of them only where the ground is drawn on.
+bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, const View& view, double ground_m, bool on_ground) {
+  const Vec3 at{static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])};
+  const double radius = 0.5 * static_cast<double>(frame.size[i]);
+  // A square's corners lie farther out than its sides.
+  if (form == Form::scorch) return !on_ground || markRound(mask, view, {at.x, ground_m, at.z}, 1.4143 * radius, true);
+  if (!markRound(mask, view, at, 1.02 * radius, false)) return false;
+  const double least = 1.5 * view.metre_per_pixel * length(Vec3{at.x, ground_m, at.z} - view.eye);
+  return !on_ground || std::abs(at.y - ground_m) >= radius || markRound(mask, view, {at.x, ground_m, at.z}, radius + std::max(kRingWidth * radius, least), true);
+}
+
 }  // namespace
 
 void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows) {
@@ -54,6 +66,10 @@ void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       if (frame.size[i] <= 0.0f) continue;
+      if (layer.form == Form::shock || layer.form == Form::scorch) {
+        if (!markOnGround(mask, frame, i, layer.form, view, ground_m, shadows)) return mask.markAll();
+        continue;
+      }
       const double x = static_cast<double>(frame.x[i]), y = static_cast<double>(frame.y[i]), z = static_cast<double>(frame.z[i]), size = static_cast<double>(frame.size[i]);
       bool bounded = markRound(mask, view, {x, y, z}, reachOf(frame, i, layer.form, y - ground_m), false);
       if (bounded && shadows) {

@@ -12,6 +12,8 @@ struct GroundLevel {
   bool fades = true;    ///< soft forms fade towards it; where it is solid
   double slope_x = 0.0, slope_z = 0.0;  ///< rise per metre: on a terrain the ground is a plane through the burst
   double shadow_nearer = 0.0;  ///< share of the distance by which shadows are drawn before the ground; above 0 they are hidden by what is nearer
+  bool land = true;     ///< can be scorched
+  Vec3 daylight{1.0, 1.0, 1.0};  ///< on the sun and the sky, by the hour of an explosion
   double dimmed = 0.0;  ///< share of the daylight that is missing
   double extinction_per_m = 0.0;
   Vec3 haze;            ///< linear colour of the air

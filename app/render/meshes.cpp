@@ -118,6 +118,8 @@ Mesh sphere() {
 
 bool isSoft(Form form) { return form == Form::streak || form == Form::smoke || form == Form::fire || form == Form::flash; }
 
+bool isSolid(Form form) { return form == Form::tetrahedron || form == Form::disc || form == Form::sphere || form == Form::shard; }
+
 Mesh meshOf(Form form) {
   switch (form) {
     case Form::tetrahedron: return tetrahedron();
@@ -127,7 +129,9 @@ Mesh meshOf(Form form) {
     case Form::streak:
     case Form::smoke:
     case Form::fire:
-    case Form::flash: break;
+    case Form::flash:
+    case Form::shock:
+    case Form::scorch: break;
   }
   return {};
 }

@@ -29,5 +29,7 @@ Mesh meshOf(Form form);
 
 /// True for the forms that are drawn as camera-facing discs or ribbons.
 bool isSoft(Form form);
+/// True for the forms that are drawn as lit meshes. The others, neither soft nor solid, have passes of their own.
+bool isSolid(Form form);
 
 }  // namespace npsee::render

@@ -94,7 +94,7 @@ void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shel
   if (explosion == nullptr || age > explosion->duration_s()) return;
   const Extent& extent = explosion->extent();
   const Vec3 centre = shell.burst_m + extent.centre();
-  if (!mayBeSeen(eye, centre, extent.radius_m() + 5.0)) return;
+  if (!mayBeSeen(eye, centre, std::max(extent.radius_m(), extent.reach_m) + 5.0)) return;
 
   Drawn& drawn = next();
   drawn.origin = shell.burst_m;
@@ -105,7 +105,7 @@ void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shel
   const double metre_per_pixel = 2.0 * std::tan(0.5 * eye.lens.fov_y_rad) / eye.height * std::max(drawn.depth_m, 1.0);
   const double pieces = kLeastPieces + kPiecesPerPixel * extent.radius_m() / metre_per_pixel;
   for (LayerSpan& layer : drawn.layers)
-    if (!isSoft(layer.form) && static_cast<double>(layer.count) > pieces) layer.count = static_cast<std::size_t>(pieces);
+    if (isSolid(layer.form) && static_cast<double>(layer.count) > pieces) layer.count = static_cast<std::size_t>(pieces);
   drawn.ground = groundAt(recording.terrain, shell.burst_m, eye.lens.eye, light_);
   drawn.ground.glow = glowOf(drawn.frame, drawn.layers);
 }
@@ -147,18 +147,27 @@ Expected<void> MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye
   for (const Drawn& drawn : bursts_) {
     const View view = eye.viewFrom(drawn.origin);
     effects.upload(drawn.frame);
+    if (drawn.ground.land && drawn.ground.height_m > -60.0)
+      if (auto done = effects.drawScorch(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     if (!light_.night && drawn.ground.height_m > -60.0)
       if (auto done = effects.drawShadows(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     if (drawn.ground.height_m > -60.0)
       if (auto done = effects.drawGlow(view, drawn.ground); !done) return done;
+    if (drawn.ground.height_m > -60.0)
+      if (auto done = effects.drawShockRings(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground);
   }
   return {};
 }
 
 Expected<void> MissionBursts::drawBlended(EffectPasses& effects, const MissionEye& eye) {
-  for (const Drawn& drawn : bursts_)
-    if (auto done = effects.drawBlended(drawn.frame, drawn.layers, eye.viewFrom(drawn.origin), drawn.ground); !done) return done;
+  for (const Drawn& drawn : bursts_) {
+    const View view = eye.viewFrom(drawn.origin);
+    if (auto done = effects.drawBlended(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
+    if (!std::ranges::any_of(drawn.layers, [](const LayerSpan& layer) { return layer.form == Form::shock; })) continue;
+    effects.upload(drawn.frame);
+    if (auto done = effects.drawShockShells(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
+  }
   return {};
 }
 

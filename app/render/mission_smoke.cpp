@@ -203,6 +203,8 @@ GroundLevel groundAt(const Terrain& terrain, const Vec3& at, const Vec3& eye, co
     const Vec3 normal = terrain.normal(at.x, at.z);
     ground.slope_x = -normal.x / normal.y;
     ground.slope_z = -normal.z / normal.y;
+  } else {
+    ground.land = false;
   }
   double lit = 0.0;
   for (const Flare& flare : light.flares) {

@@ -5,6 +5,7 @@
 #include "app/render/effect_passes.h"
 #include "app/render/effect_tiles.h"
 #include "app/render/finish_pass.h"
+#include "app/render/hour_light.h"
 #include "app/render/make_once.h"
 #include "app/render/mission_scene.h"
 #include "app/render/surface_pass.h"
@@ -38,6 +39,7 @@ GroundLevel groundOf(const Scene& scene) {
   GroundLevel ground;
   ground.height_m = scene.ground_height_m;
   ground.solid = ground.fades = scene.background.kind == Background::Kind::sky;
+  ground.daylight = hourLight(scene.sky).daylight;
   ground.colour = {scene.ground_colour.r, scene.ground_colour.g, scene.ground_colour.b};
   return ground;
 }
@@ -74,6 +76,8 @@ struct Renderer::Impl {
   std::array<Slot, 4> slots;
 
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
+  /// What lies on the ground: burnt patches, shadows, light, blast fronts.
+  Expected<void> drawOnGround(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
   Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
   Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
@@ -91,11 +95,19 @@ Expected<Renderer::Impl::Slot*> Renderer::Impl::sized(int index, int width, int 
 }
 
 void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const {
-  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.grid};
+  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.sky, scene.grid};
   // Frames of a sequence share their backdrop, which costs more to draw than a hundred pieces.
   if (slot.backdrop == wanted) return;
   backdrop.draw(slot.target, wanted);
   slot.backdrop = wanted;
+}
+
+Expected<void> Renderer::Impl::drawOnGround(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
+  if (auto drawn = effects.drawScorch(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+  if (shadows)
+    if (auto drawn = effects.drawShadows(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+  if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
+  return effects.drawShockRings(*scene.frame, scene.layers, view, ground);
 }
 
 Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot) {
@@ -107,19 +119,20 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   if (outdoors) prepareBackdrop(scene, view, slot);
   mask.reset(target.width(), target.height());
   GroundLevel ground = groundOf(scene);
+  const HourLight hour = hourLight(scene.sky);
   if (particles) ground.glow = glowOf(*scene.frame, scene.layers);
+  ground.glow.light_m2 = hour.exposure * ground.glow.light_m2;
   if (particles) markEffect(mask, *scene.frame, scene.layers, view, ground, shadows);
   tiles.upload(mask);
   if (!mask.empty()) {
     if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
     finish.clear(tiles);
     effects.upload(*scene.frame);
-    if (shadows) {
-      if (auto drawn = effects.drawShadows(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
-      if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
-    }
+    if (shadows)
+      if (auto drawn = drawOnGround(scene, view, ground, hour.shadows); !drawn) return drawn;
     effects.drawOpaque(*scene.frame, scene.layers, view, ground);
     if (auto drawn = effects.drawBlended(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+    if (auto drawn = effects.drawShockShells(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
   }
   if (outdoors) finish.drawOverBackdrop(target, tiles);
   else finish.drawOverColour(target, tiles, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr);

@@ -36,6 +36,7 @@ struct Scene {
   std::span<const LayerSpan> layers;  ///< the frame's layers, `Explosion::layers()`
   double ground_height_m = 0.0;
   Colour ground_colour;
+  Sky sky = Sky::day;                 ///< hour: light on everything, and the backdrop
   Background background;
   bool grid = true;
 };

@@ -94,6 +94,7 @@ void setGround(const gl::Program& program, const View& view, const GroundLevel& 
   program.set("u_slope", static_cast<float>(ground.slope_x), static_cast<float>(ground.slope_z));
   program.set("u_clip", static_cast<float>(side), static_cast<float>(ground.height_m));
   program.set("u_fade", ground.fades ? 1.0f : 0.0f);
+  setVec3(program, "u_daylight", ground.daylight);
   program.set("u_dimmed", static_cast<float>(ground.dimmed));
   program.set("u_haze_extinction", static_cast<float>(ground.extinction_per_m));
   setVec3(program, "u_haze_colour", ground.haze);

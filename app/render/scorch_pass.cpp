@@ -1,0 +1,19 @@
+#include "app/render/scorch_pass.h"
+
+namespace npsee::render {
+
+Expected<ScorchPass> ScorchPass::create() {
+  ScorchPass pass;
+  if (auto loaded = pass.program_.load("scorch.vert", "scorch.frag"); !loaded) return tl::unexpected<Error>(loaded.error());
+  pass.attributes_ = gl::VertexArray::make();
+  return pass;
+}
+
+void ScorchPass::draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
+  layOnGround(program_, view, ground);
+  glBindVertexArray(attributes_.name());
+  particles.bind(first, true);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+}
+
+}  // namespace npsee::render

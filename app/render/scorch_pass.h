@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/render/frame_upload.h"
+#include "app/render/ground_level.h"
+#include "app/render/view.h"
+
+namespace npsee::render {
+
+/// Burnt patches on the ground under particles of the form scorch. They belong to the ground: shadows, light and pieces lie on them.
+class ScorchPass {
+ public:
+  static Expected<ScorchPass> create();
+  void draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const;
+
+ private:
+  gl::Program program_;
+  gl::VertexArray attributes_;
+};
+
+}  // namespace npsee::render
