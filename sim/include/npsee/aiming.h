@@ -37,9 +37,9 @@ class Aimer {
   /// used. Error kind usage: the request makes no sense, or nothing comes down at that height.
   static Expected<Aimer> make(const Ballistics& ballistics, const AimRequest& request);
 
-  /// Greatest horizontal distance and the elevation that gives it.
+  /// Greatest horizontal distance, m, and the elevation that gives it.
   double maxRange() const { return max_range_m_; }
-  double maxRangeElevation() const { return max_elevation_rad_; }
+  double maxRangeElevation() const { return max_elevation_rad_; }  ///< rad
 
   /// Solution below, or above, the elevation of greatest range; nothing where that branch does not reach the distance.
   std::optional<AimSolution> low(double range_m) const;

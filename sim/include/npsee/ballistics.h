@@ -52,7 +52,7 @@ struct Atmosphere {
 struct AirState {
   double density_kgm3 = 0.0, sound_speed_mps = 0.0;
 };
-AirState airAt(const Atmosphere& atmosphere, double height_m);
+AirState airAt(const Atmosphere& atmosphere, double height_m);  ///< Of the air at a geometric height, m. Any finite height. Thread-safe.
 
 /// What many shots share.
 struct Conditions {
@@ -124,7 +124,7 @@ struct Flight {
   std::int32_t evaluations = 0;    ///< of the equations of motion
   std::int32_t steps = 0;
 
-  bool valid() const { return doubts == doubt_none && end == FlightEnd::impact; }
+  bool valid() const { return doubts == doubt_none && end == FlightEnd::impact; }  ///< Came down, and within the model's validity.
   friend bool operator==(const Flight&, const Flight&) = default;
 };
 
@@ -141,8 +141,8 @@ class FlightPath {
     std::array<std::array<double, 7>, 5> c;
   };
 
-  const Flight& flight() const { return flight_; }
-  const Shot& shot() const { return shot_; }
+  const Flight& flight() const { return flight_; }  ///< How the flight went as a whole.
+  const Shot& shot() const { return shot_; }  ///< What was fired.
   /// State in the flight frame; times before the shot and after the impact are clamped.
   State at(double time_s) const;
   /// The same in the world (x east, y up, z south).
@@ -175,19 +175,19 @@ class Ballistics {
   /// The same, but falling on a flat surface at this height over the muzzle (m) instead of the conditions' own.
   Ballistics onto(double target_height_m) const;
 
-  /// A refused shot says why; every other one flies, whatever its numbers, without NaN and in bounded time.
+  /// Error kind usage: why the shot is refused; every other one flies, whatever its numbers, without NaN and in bounded time.
   Expected<void> checkShot(const Shot& shot) const;
 
-  Flight fly(const Shot& shot) const;
-  FlightPath path(const Shot& shot) const;
+  Flight fly(const Shot& shot) const;  ///< Flies one shot; an impossible one ends as FlightEnd::refused.
+  FlightPath path(const Shot& shot) const;  ///< The same, kept whole; `path(s).flight() == fly(s)`.
   /// Flies many shots, four at a time where the CPU can and on `threads` threads (0 = one per core). Each result has the bits
   /// that `fly` gives, for any number of threads. `flights` must be as long as `shots`.
   void flyMany(std::span<const Shot> shots, std::span<Flight> flights, int threads = 0) const;
 
-  const Projectile& projectile() const;
-  const Conditions& conditions() const;
-  FlightModel model() const;
-  const Integration& integration() const;
+  const Projectile& projectile() const;  ///< As given to `make`.
+  const Conditions& conditions() const;  ///< As given to `make`, or changed by `onto`.
+  FlightModel model() const;  ///< As given to `make`.
+  const Integration& integration() const;  ///< As given to `make`.
 
  private:
   struct Data;

@@ -47,7 +47,7 @@ tl::unexpected<Error> fail(ErrorKind kind, Fault fault);
 /// Exit code of the command line for an error: 2 usage, 3 input, 4 graphics, 5 output.
 int exitCode(ErrorKind kind);
 
-/// `text` with control characters shown as \xNN, so that a hostile name cannot drive a terminal.
+/// `text` with control characters shown as `\xNN`, so that a hostile name cannot drive a terminal.
 std::string printable(std::string_view text);
 
 }  // namespace npsee

@@ -53,8 +53,8 @@ struct LayerSpan {
 struct Extent {
   Vec3 min, max;
   double reach_m = 0.0;  ///< farthest that anything is drawn from the box's centre, strays included; of at most 300 particles a layer
-  Vec3 centre() const { return 0.5 * (min + max); }
-  double radius_m() const { return 0.5 * length(max - min); }
+  Vec3 centre() const { return 0.5 * (min + max); }  ///< Middle of the box, m.
+  double radius_m() const { return 0.5 * length(max - min); }  ///< Half its diagonal, m.
 };
 
 struct CompileOptions {
@@ -76,8 +76,8 @@ class Explosion {
                                                             const CompileOptions& options = {});
   ~Explosion();
 
-  std::size_t particleCount() const;
-  const std::vector<LayerSpan>& layers() const;
+  std::size_t particleCount() const;  ///< Of all layers, and so entries of each array of a frame.
+  const std::vector<LayerSpan>& layers() const;  ///< Layers that have particles, in the order of the frames; they follow each other without gaps.
 
   /// Time after which nothing changes any more or every particle is dead, s.
   double duration_s() const;

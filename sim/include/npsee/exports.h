@@ -24,7 +24,7 @@ inline constexpr double kMaxExportSamples = 5e6;
 /// Error kind usage: too many samples, steps that are no times.
 Expected<std::string> acmiText(const Recording& recording, const ExportSetup& setup = {});
 
-/// Comma-separated values, one row per thing and sample:
+/// Comma-separated values, one row per thing and sample (errors as of acmiText):
 /// t_s,kind,id,name,side,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,heading_deg,state
 Expected<std::string> csvText(const Recording& recording, const ExportSetup& setup = {});
 
@@ -34,7 +34,7 @@ struct DisPacket {
   std::vector<std::uint8_t> bytes;
 };
 /// Entity State (144 bytes), Fire (96) and Detonation (104) PDUs of IEEE 1278.1, by time. Fire and Detonation of a shot share their
-/// event and munition identifiers; timestamps are rounded to the nearest unit of 3600 s / 2^31.
+/// event and munition identifiers; timestamps are rounded to the nearest unit of 3600 s / 2^31. Errors as of acmiText.
 Expected<std::vector<DisPacket>> disPackets(const Recording& recording, const ExportSetup& setup = {});
 
 inline constexpr std::uint16_t kDisPort = 3000;

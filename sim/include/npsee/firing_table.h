@@ -26,9 +26,9 @@ struct ThesisTables {
   std::vector<ThesisRow> rows;
 };
 
-/// The thesis's tables as shipped in assets/firing_tables.
+/// The thesis's tables as shipped in assets/firing_tables. Error kind input: never, in a program that was built whole.
 Expected<ThesisTables> thesisTables();
-/// The same from a file's text.
+/// The same from a file's text; `file` stands for it in messages. Error kind input, with line.
 Expected<ThesisTables> parseThesisTables(std::string_view text, std::string_view file);
 
 /// Distance of an impact from the firing table's as the thesis counts it: hypot(range error, deflection error) / CEP.

@@ -69,7 +69,7 @@ class Mission {
   std::unique_ptr<State> state_;
 };
 
-/// Simulates a whole mission.
+/// Simulates a whole mission, or up to `until_s` (s). Errors as of Mission::make. Thread-safe: missions are independent.
 Expected<Recording> runMission(const Scenario& scenario, std::optional<double> until_s = {}, const std::vector<MissionCommand>& commands = {}, const MissionLimits& limits = {});
 
 /// The clauses of the scenario's `expect` that the log does not meet, as sentences naming file line and clause. Empty = all met.

@@ -41,8 +41,8 @@ struct Parameter {
   std::span<const std::string_view> choices;
   Value initial;  ///< default, SI
 
-  Value get(const Layer& layer) const;
-  Value get(const Preset& preset) const;
+  Value get(const Layer& layer) const;  ///< The layer's value; only for rows of Scope::layer. Thread-safe.
+  Value get(const Preset& preset) const;  ///< The burst's value; only for rows of Scope::burst. Thread-safe.
   /// Assigns without checking; see checkValue. The value must hold this row's alternative.
   void assign(Layer& layer, const Value& value) const;
   void assign(Preset& preset, const Value& value) const;

@@ -143,7 +143,7 @@ inline constexpr std::size_t kMaxCurvePoints = 32;
 /// Thread-safe.
 Expected<Preset> loadPreset(const std::filesystem::path& path);
 
-/// The same from text; `name` stands for the file in messages.
+/// The same from text; `name` stands for the file in messages. Errors as of loadPreset. Thread-safe.
 Expected<Preset> parsePreset(std::string_view text, std::string_view name);
 
 /// The file's text: keys in table order, values that equal their default left out, two-space indent, final newline.

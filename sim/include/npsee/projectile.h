@@ -49,8 +49,8 @@ struct CoefficientCurve {
   std::vector<PolynomialPiece> pieces;  ///< polynomial
   std::string source;
 
-  bool empty() const { return mach.empty() && pieces.empty(); }
-  double at(double mach_number) const;
+  bool empty() const { return mach.empty() && pieces.empty(); }  ///< Zero everywhere.
+  double at(double mach_number) const;  ///< Its value at a Mach number of at least 0. Thread-safe.
   /// The curve that has one value everywhere.
   static CoefficientCurve constant(double value);
   friend bool operator==(const CoefficientCurve&, const CoefficientCurve&) = default;
@@ -72,7 +72,7 @@ struct FactorCurves {
   std::vector<double> form, lift, magnus, yaw_drag;
   std::string source;
 
-  Factors at(double elevation_rad) const;
+  Factors at(double elevation_rad) const;  ///< The factors at an elevation, rad. Thread-safe.
   friend bool operator==(const FactorCurves&, const FactorCurves&) = default;
 };
 
@@ -98,8 +98,8 @@ struct Projectile {
   std::vector<Charge> charges;
   std::vector<std::pair<std::string, std::string>> sources;  ///< key -> full reference
 
-  const CoefficientCurve& curve(Coefficient c) const { return aero[static_cast<std::size_t>(c)]; }
-  CoefficientCurve& curve(Coefficient c) { return aero[static_cast<std::size_t>(c)]; }
+  const CoefficientCurve& curve(Coefficient c) const { return aero[static_cast<std::size_t>(c)]; }  ///< The curve of one coefficient.
+  CoefficientCurve& curve(Coefficient c) { return aero[static_cast<std::size_t>(c)]; }  ///< The same, to be changed.
   friend bool operator==(const Projectile&, const Projectile&) = default;
 };
 
@@ -129,7 +129,7 @@ Expected<Charge> findCharge(const Projectile& projectile, std::string_view name)
 struct ProjectileSetting {
   std::string_view key, unit, doc;
 };
-std::span<const ProjectileSetting> projectileSettings();
+std::span<const ProjectileSetting> projectileSettings();  ///< All of them, in the order of the reference. Static; thread-safe.
 
 /// Sets one constant (`KEY=VALUE`; keys of projectileSettings). Error kind usage.
 Expected<void> applyProjectileSetting(Projectile& projectile, Factors& factors, std::string_view expression);

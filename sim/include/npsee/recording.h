@@ -47,7 +47,7 @@ struct EventKey {
   std::string_view event, key, type, unit, doc;
   bool optional() const;  ///< left out of the line where there is nothing to say
 };
-std::span<const EventKey> eventSchema();
+std::span<const EventKey> eventSchema();  ///< All of them by event, in the order they are written. Static; thread-safe.
 
 /// Constant acceleration along a straight line or, with a turn rate, constant speed around a circle.
 struct Leg {
@@ -66,7 +66,7 @@ struct Track {
   std::vector<Leg> legs;            ///< at least one, by start
   std::vector<std::uint32_t> index; ///< leg at every whole index_step_s: seek in constant time
   double index_step_s = 4.0;        ///< doubled where it would give many more entries than legs
-  Pose at(double time_s) const;
+  Pose at(double time_s) const;  ///< Pose at a time, s, clamped to the first and last leg; constant time.
   void add(const Leg& leg);         ///< replaces a leg of the same start
   friend bool operator==(const Track&, const Track&) = default;
 };
@@ -82,8 +82,8 @@ struct VehicleRecord {
   VehicleType type;
   Track track;
   std::vector<DamageStep> damage;   ///< by time; empty = unharmed
-  const DamageStep* damageAt(double time_s) const;
-  bool destroyedAt(double time_s) const;
+  const DamageStep* damageAt(double time_s) const;  ///< The last step up to a time, s; null while unharmed.
+  bool destroyedAt(double time_s) const;  ///< Whether the hull is at 1 or above at a time, s.
 };
 
 /// The tube moves from one line to the next evenly between two times.

@@ -114,7 +114,7 @@ struct Sensing {
   double range_error = 0.0;       ///< of a spotting along the line, fraction of the OT distance
   bool fog = true;                ///< contrast falls with distance by the weather's visibility
   double contrast = 0.3, contrast_threshold = 0.02;
-  bool perfect() const;
+  bool perfect() const;           ///< neither a belief that falls with range nor any error of place, bearing or range
   friend bool operator==(const Sensing&, const Sensing&) = default;
 };
 

@@ -90,7 +90,7 @@ class Terrain final : public Ground {
   double detail() const override;
   bool flat() const override;
 
-  double seaLevel() const;
+  double seaLevel() const;  ///< Height of the sea, m.
   /// Whether the ground lies below sea level.
   bool sea(double x_m, double z_m) const;
   /// Height of ground or sea, whichever is higher.
@@ -98,8 +98,8 @@ class Terrain final : public Ground {
   /// Whether (x, z) lies in the world.
   bool inside(double x_m, double z_m) const;
 
-  double sizeX() const;
-  double sizeZ() const;
+  double sizeX() const;  ///< East to west, m.
+  double sizeZ() const;  ///< North to south, m.
   /// Samples west to east and north to south: sample (c, r) stands at x = c cellX(), z = r cellZ() and is heights()[r columns() + c].
   int columns() const;
   int rows() const;

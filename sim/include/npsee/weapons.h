@@ -29,7 +29,7 @@ struct Weapon {
   /// Comments as written, for writing the file back: before the I record, after it, after the D record.
   std::string comment_before, comment_identity, comment_data;
 
-  bool american() const { return id >= 100; }
+  bool american() const { return id >= 100; }  ///< Ids from 100 are US weapons (thesis, appendix B.A).
   friend bool operator==(const Weapon&, const Weapon&) = default;
 };
 
