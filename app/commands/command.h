@@ -32,6 +32,7 @@ void addAim(CLI::App& app, Outcome& outcome);
 void addWeapons(CLI::App& app, Outcome& outcome);
 void addMission(CLI::App& app, Outcome& outcome);
 void addReplay(CLI::App& app, Outcome& outcome);
+void addManual(CLI::App& app, Outcome& outcome);
 
 /// Adds all of the above, in the order of `npsee --help`.
 void addAll(CLI::App& app, Outcome& outcome);

@@ -17,6 +17,7 @@ void addAll(CLI::App& app, Outcome& outcome) {
   addAim(app, outcome);
   addWeapons(app, outcome);
   addReplay(app, outcome);
+  addManual(app, outcome);
 }
 
 }  // namespace npsee::commands
