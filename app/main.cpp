@@ -7,6 +7,7 @@
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <new>
 
 namespace {
 
@@ -76,6 +77,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return refuse(app, error);
+  } catch (const std::bad_alloc&) {
+    // What is too large by its numbers has been refused before; this machine has less. Output files appear whole or not at all.
+    std::fputs("there is not enough memory for this.\n  Lower counts or sizes, or use a machine with more.\n", stderr);
+    return npsee::exitCode(npsee::ErrorKind::input);
   }
   return outcome.exit_code;
 }

@@ -75,12 +75,12 @@ int runOnce(const Options& options, const Scenario& scenario, std::optional<doub
   // The log is the result on stdout; pictures are named on stderr, as files written besides.
   std::vector<std::filesystem::path> written;
   const auto drawn = writeMissionPictures(pictures, *recording, written);
-  for (const auto& file : written) std::fprintf(stderr, "%s\n", file.c_str());
+  for (const auto& file : written) std::fprintf(stderr, "%s\n", printable(file.string()).c_str());
   if (!drawn) return report(drawn.error());
   if (const int code = exitOf(*recording); code != 0) return code;
   if (!options.expect) return 0;
   const auto unmet = unmetExpectations(*recording);
-  for (const std::string& sentence : unmet) std::fprintf(stderr, "%s\n", sentence.c_str());
+  for (const std::string& sentence : unmet) std::fprintf(stderr, "%s\n", printable(sentence).c_str());
   if (unmet.empty()) std::fprintf(stderr, "All %zu expectations are met.\n", scenario.expect.size());
   return unmet.empty() ? 0 : 1;
 }

@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+
+#include <unistd.h>
 
 namespace npsee::commands {
 
@@ -14,7 +17,25 @@ int report(const Error& error) {
   return exitCode(error.kind);
 }
 
+namespace {
+
+/// What a terminal gets: lines and tabs as they are, of every other control character its number. Files and pipes get every byte.
+std::string forTerminal(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
+    out += printable(text.substr(0, end));
+    if (end < text.size()) out += text[end];
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
 int writeResult(std::string_view text) {
+  std::string shown;
+  if (::isatty(STDOUT_FILENO) == 1) text = shown = forTerminal(text);
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return 0;
   std::fputs("standard output cannot be written: the disk is full or the reader is gone.\n", stderr);

@@ -283,7 +283,7 @@ void addShotOptions(CLI::App& command, ShotOptions& o) {
 }
 
 std::string describe(const Firing& f) {
-  std::string out = f.projectile.title.empty() ? f.projectile.name : f.projectile.title;
+  std::string out = printable(f.projectile.title.empty() ? f.projectile.name : f.projectile.title);
   if (f.projectile.status == "ESTIMATE") out += " [ESTIMATE, not data]";
   out += "\n" + (f.charge.name.empty() ? std::string("muzzle velocity ") : "charge " + f.charge.name + ", ") + shortest(f.charge.speed_mps) + " m/s";
   if (f.model == FlightModel::modified_point_mass || f.model == FlightModel::simplified_modified_point_mass)

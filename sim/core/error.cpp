@@ -5,10 +5,13 @@ namespace npsee {
 std::string printable(std::string_view text) {
   static constexpr char kHex[] = "0123456789abcdef";
   std::string out;
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
-    // UTF-8 text passes; C0 controls and DEL could move a terminal's cursor or worse.
-    if (byte < 0x20 || byte == 0x7f) {
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    // UTF-8 text passes. C0 controls and DEL could move a terminal's cursor or worse, and so could C1, which is 0xC2 and 0x80 to 0x9f: without
+    // the first byte the second is no character.
+    if (byte < 0x20 || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0)) {
       out += "\\x";
       out += kHex[byte >> 4];
       out += kHex[byte & 15];

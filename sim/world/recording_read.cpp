@@ -160,7 +160,9 @@ class Reader {
   }
 
   void head(Line& in) {
-    if (in.whole("version", 1, 1000000) > world::kRecordingVersion && in.good()) return in.wrong("version", "is newer than this program.");
+    const int version = in.whole("version", 1, 1000000);
+    if (version > world::kRecordingVersion && in.good())
+      return take(fail(ErrorKind::input, "the recording has version " + std::to_string(version) + ", newer than " + std::to_string(world::kRecordingVersion) + ", the newest this program reads.", "Use a newer npsee.").value());
     recording_.duration_s = in.number("duration_s", 0.0, kMaxTime_s);
     recording_.finished = in.flag("finished");
     recording_.hash = in.text("hash");

@@ -131,7 +131,7 @@ TEST_F(DamagedRecording, IsRefusedWithLineAndPlace) {
   expectSays(messageWith("event", "\"belief\":0.8", "\"belief\":{}"), {at("event"), "/event/belief"});
   expectSays(messageWith("observer", "\"vehicle\":1", "\"vehicle\":9"), {at("observer"), "/observer/vehicle"});
   expectSays(messageWith("observer", "[3.0,0,1", "[3.0,99,1"), {at("observer"), "names no vehicle"});
-  expectSays(messageWith("npsee_recording", "\"version\":1", "\"version\":2"), {"run.jsonl:1:", "newer than this program"});
+  expectSays(messageWith("npsee_recording", "\"version\":1", "\"version\":2"), {"run.jsonl:1:", "version 2, newer than 1, the newest this program reads"});
   expectSays(messageWith("weapons", "I 155mm", "X 155mm"), {at("weapons")});
   expectSays(messageWith("scenario", "\"duration\"", "\"durration\""), {at("scenario"), "durration"});
 }

@@ -1,0 +1,89 @@
+"""A full disk, a folder that cannot be written, a file that vanishes, memory that does not suffice: a message and its exit code, and no
+file is half written."""
+
+import os
+import resource
+import unittest
+
+from command_line import SANITIZED, SOURCE, CommandLine
+
+V1 = SOURCE / "tests/data/v1"
+#: A limit on the size of files acts as a disk that is full after so many bytes: the write fails with an error.
+FULL = ((resource.RLIMIT_FSIZE, 2048),)
+
+
+class Faults(CommandLine):
+    #: Every command that writes, and the file it writes.
+    WRITERS = (
+        (("particles", "small.npsee.json", "--time", "1", "-o", "out.csv"), "out.csv"),
+        (("particles", "small.npsee.json", "--time", "1", "--format", "ply", "-o", "out.ply"), "out.ply"),
+        (("render", "small.npsee.json", "--size", "320x200", "-o", "out.png"), "out.png"),
+        (("render", "small.npsee.json", "--size", "320x200", "-o", "out.exr"), "out.exr"),
+        (("render", "small.npsee.json", "--sheet", "2x2", "--size", "320x200", "-o", "out.png"), "out.png"),
+        (("mission", "m.mission.json", "--quiet", "--until", "60", "--record", "out.rec"), "out.rec"),
+        (("replay", "r.rec", "-o", "out.acmi"), "out.acmi"),
+        (("replay", "r.rec", "-o", "out.csv"), "out.csv"),
+        (("replay", "r.rec", "-o", "out.pcap"), "out.pcap"),
+        (("weapons", "w.dat", "-o", "out.dat"), "out.dat"),
+        (("edit", "small.npsee.json", "--headless", "--screenshot", "out.png"), "out.png"),
+    )
+
+    def setUp(self):
+        super().setUp()
+        self.preset(count=400)
+        self.write("m.mission.json", (V1 / "thesis_default.mission.json").read_bytes())
+        self.write("r.rec", (V1 / "thesis_default.rec").read_bytes())
+        self.write("w.dat", (SOURCE / "assets/weapons.dat").read_bytes() + b"/* a comment that makes it longer */\n" * 200)
+
+    def test_a_full_disk_leaves_the_old_file_whole(self):
+        for call, name in self.WRITERS:
+            with self.subTest(call=" ".join(call)):
+                self.write(name, "the old file")
+                before = self.files()
+                self.expect(5, self.run_npsee(*call, limits=FULL), name)
+                self.assertEqual(self.files(), before, "nothing is left over, nothing is changed")
+
+    def test_a_full_disk_and_no_old_file_leaves_nothing(self):
+        before = self.files()
+        for call, name in self.WRITERS:
+            with self.subTest(call=" ".join(call)):
+                self.expect(5, self.run_npsee(*call, limits=FULL), name)
+                self.assertEqual(self.files(), before)
+
+    def test_a_place_that_is_no_folder_is_named(self):
+        self.write("file", "no folder")
+        for call, name in self.WRITERS:
+            with self.subTest(call=" ".join(call)):
+                self.expect(5, self.run_npsee(*(word.replace(name, "file/" + name) for word in call)), "file/" + name)
+
+    def test_a_read_only_folder_is_named(self):
+        (self.folder / "closed").mkdir(mode=0o555)
+        # Root may write anywhere; nobody may not.
+        user = 65534 if os.geteuid() == 0 else None
+        self.folder.chmod(0o755)
+        try:
+            self.run_npsee("--version", user=user)
+        except PermissionError:
+            self.skipTest("root may write anywhere, and nobody else may run the program here")
+        for call, name in self.WRITERS:
+            with self.subTest(call=" ".join(call)):
+                self.expect(5, self.run_npsee(*(word.replace(name, "closed/" + name) for word in call), user=user), "closed/" + name)
+
+    def test_a_file_that_vanished_is_named(self):
+        for call in (("particles", "gone.npsee.json", "--time", "1"), ("render", "gone.npsee.json", "-o", "x.png"), ("mission", "gone.mission.json"), ("replay", "gone.rec"), ("weapons", "gone.dat"), ("compare", "gone.png", "gone.png"),
+                     ("edit", "gone.npsee.json", "--headless", "--screenshot", "x.png"), ("edit", "small.npsee.json", "--headless", "--script", "gone.txt")):
+            with self.subTest(call=" ".join(call)):
+                self.expect(3, self.run_npsee(*call), "gone.")
+        os.symlink("gone.npsee.json", self.folder / "broken.npsee.json")
+        self.expect(3, self.run_npsee("particles", "broken.npsee.json", "--time", "1"), "broken.")
+
+    @unittest.skipIf(SANITIZED, "sanitizers take addresses of their own")
+    def test_memory_that_does_not_suffice_is_told(self):
+        self.preset("big.npsee.json", count=3_000_000)
+        done = self.run_npsee("particles", "big.npsee.json", "--time", "1", "-o", "out.csv", limits=((resource.RLIMIT_AS, 300 << 20),))
+        self.expect(3, done, "memory")
+        self.assertNotIn("out.csv", self.files())
+
+
+if __name__ == "__main__":
+    unittest.main()
