@@ -1,5 +1,6 @@
 // What scripts can ask for by name.
 
+#include "editor/document/statistics.h"
 #include "editor/editor.h"
 #include "editor/mission/session.h"
 
@@ -19,6 +20,7 @@ std::string yes(bool b) { return b ? "yes" : "no"; }
 void addExplosion(const Session& session, Facts& out) {
   const Document& document = session.document;
   const render::Camera& camera = session.camera;
+  const FrameFigures figures = figuresOf(session.frame());
   constexpr const char* kViews[] = {"splines", "polygons", "surface"};
   out.insert(out.end(), {
       {"eye.x", shortest(camera.eye.x)}, {"eye.y", shortest(camera.eye.y)}, {"eye.z", shortest(camera.eye.z)},
@@ -31,7 +33,11 @@ void addExplosion(const Session& session, Facts& out) {
       {"layers", std::to_string(document.preset().layers.size())}, {"layer", document.hasLayer() ? document.layer().name : std::string()},
       {"undo", std::to_string(document.history().undoSteps())}, {"redo", std::to_string(document.history().redoSteps())},
       {"undo.label", std::string(document.history().undoLabel())},
-      {"solo", std::to_string(session.design.solo.size())},
+      {"loop.from", shortest(session.playback.from_s)}, {"loop.to", shortest(session.playback.to_s)},
+      {"mark.contact", session.design.moments.first_contact_s ? shortest(*session.design.moments.first_contact_s) : ""},
+      {"mark.death", session.design.moments.last_death_s ? shortest(*session.design.moments.last_death_s) : ""},
+      {"fastest", shortest(figures.fastest_mps)}, {"energy", shortest(figures.energy_Jpkg)},
+      {"locked", std::to_string(session.design.locked.size())}, {"vary.amount", shortest(session.design.amount)}, {"solo", std::to_string(session.design.solo.size())},
       {"template.view", kViews[static_cast<int>(session.template_view)]},
       {"template.yaw", shortest(session.template_yaw_rad)}, {"template.pitch", shortest(session.template_pitch_rad)},
   });

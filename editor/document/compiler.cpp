@@ -36,9 +36,10 @@ void Compiler::work(const std::stop_token& stop) {
     computing_ = true;
     lock.unlock();
     auto explosion = Explosion::compile(*preset);
+    const Moments moments = explosion ? momentsOf(**explosion) : Moments();
     lock.lock();
     computing_ = false;
-    done_ = Result{revision, std::move(explosion)};
+    done_ = Result{revision, std::move(explosion), moments};
     changed_.notify_all();
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "editor/document/moments.h"
+
 #include <npsee/explosion.h>
 
 #include <chrono>
@@ -18,6 +20,7 @@ class Compiler {
   struct Result {
     std::uint64_t revision = 0;
     Expected<std::shared_ptr<const Explosion>> explosion;
+    Moments moments;  ///< of the explosion
   };
 
   Compiler();

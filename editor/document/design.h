@@ -1,8 +1,11 @@
 #pragma once
 
 #include "editor/document/launch_probe.h"
+#include "editor/document/moments.h"
+#include "editor/document/past.h"
 #include "editor/document/template_ease.h"
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -23,9 +26,20 @@ struct Design {
     return found == histograms.end() ? nullptr : &found->second;
   }
 
+  Moments moments;
+  Past skins, trails;  ///< for the overlays of the same names
+  bool show_onion = false, show_trails = false, show_speed = false, show_figures = false;
+
+  double amount = 0.2;            ///< how far randomising goes
+  std::uint64_t draws = 0;        ///< how often it was done
+  std::set<std::string> locked;   ///< "LAYER.key" of what randomising leaves as it is
+
   /// Layers shown alone; all are shown where it is empty. By name.
   std::set<std::string> solo;
   bool shows(const std::string& layer) const { return solo.empty() || solo.contains(layer); }
+
+  /// A layer has another name now.
+  void rename(const std::string& from, const std::string& to);
 };
 
 }  // namespace npsee::editor

@@ -132,6 +132,7 @@ void Session::takeCompiled() {
   // The first particles of an empty preset come into view; afterwards the camera belongs to the person.
   if (explosion_ && explosion_->particleCount() == 0) frame_on_compile_ = true;
   explosion_ = std::move(*result->explosion);
+  design.moments = result->moments;
   playback.setDuration(explosion_->duration_s());
   if (std::exchange(frame_on_compile_, false)) frameAll();
 }

@@ -96,6 +96,7 @@ class Session {
 
   /// Last good explosion and its state at `playback.time_s`; null before the first.
   const Explosion* explosion() const { return explosion_.get(); }
+  const std::shared_ptr<const Explosion>& explosionShared() const { return explosion_; }
   const Frame& frame() const { return frame_; }
   std::size_t alive() const { return alive_; }
   const LaunchSample& launchSample() const { return sample_; }

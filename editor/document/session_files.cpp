@@ -71,6 +71,7 @@ bool Session::loadNow(const fs::path& path) {
   if (!mission) {
     frame_on_compile_ = true;
     playback.time_s = 0.0;
+    playback.clearRange();
   }
   outside_[static_cast<std::size_t>(mode)] = false;
   closeFiles();

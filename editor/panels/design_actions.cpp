@@ -1,6 +1,7 @@
 #include "editor/panels/design_actions.h"
 
 #include "editor/document/clipboard.h"
+#include "editor/panels/vary_strip.h"
 
 #include <array>
 
@@ -18,6 +19,30 @@ void copyLayer(Ui ui) {
   ui.session.notices.note = "Copied " + document.layer().name + " to the clipboard, as text.";
 }
 
+template <bool Design::*member>
+void toggle(Ui ui) {
+  ui.session.design.*member = !(ui.session.design.*member);
+}
+template <bool Design::*member>
+bool isOn(Ui ui) {
+  return ui.session.design.*member;
+}
+
+/// To the next mark of the time line, or the one before.
+void goToMark(Ui ui, int by) {
+  Playback& playback = ui.session.playback;
+  const auto marks = marksOf(ui.session.design.moments);
+  constexpr double kHere_s = 1e-9;
+  playback.playing = false;
+  if (by > 0) {
+    for (const Mark& mark : marks)
+      if (mark.time_s > playback.time_s + kHere_s) return playback.seek(mark.time_s);
+  } else {
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
+      if (mark->time_s < playback.time_s - kHere_s) return playback.seek(mark->time_s);
+  }
+}
+
 const std::array kActions{
     Action{"Edit", "Copy layer", "ctrl+C", copyLayer, hasLayer, nullptr, true, kExplosion},
     Action{"Edit", "Cut layer", "ctrl+X", [](Ui ui) { copyLayer(ui); ui.session.took(ui.session.document.deleteLayer()); }, hasLayer, nullptr, false, kExplosion},
@@ -27,6 +52,19 @@ const std::array kActions{
              if (!ui.session.design.solo.erase(name)) ui.session.design.solo.insert(name);
            }, hasLayer, [](Ui ui) { return hasLayer(ui) && ui.session.design.solo.contains(ui.session.document.layer().name); }, true, kExplosion},
     Action{"Layer", "Show all layers", "shift+S", [](Ui ui) { ui.session.design.solo.clear(); }, [](Ui ui) { return !ui.session.design.solo.empty(); }, nullptr, false, kExplosion},
+    Action{"Design", "Randomise layer", "R", [](Ui ui) { varyLayers(ui, ui.session.document.selected()); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Design", "Randomise all layers", "ctrl+R", [](Ui ui) { varyLayers(ui, -1); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Design", "Vary seed", "shift+R", varySeed, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Previous mark", "shift+Comma", [](Ui ui) { goToMark(ui, -1); }, nullptr, nullptr, true, kExplosion},
+    Action{"Time", "Next mark", "shift+Period", [](Ui ui) { goToMark(ui, 1); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Loop from here", "I", [](Ui ui) { ui.session.playback.beginRange(ui.session.playback.time_s); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Loop to here", "O", [](Ui ui) { ui.session.playback.endRange(ui.session.playback.time_s); }, nullptr, nullptr, false, kExplosion},
+    Action{"Time", "Loop everything", "shift+L", [](Ui ui) { ui.session.playback.clearRange(); }, [](Ui ui) { return ui.session.playback.hasRange(); }, nullptr, false, kExplosion},
+    Action{"Time", "Onion skin", "N", toggle<&Design::show_onion>, nullptr, isOn<&Design::show_onion>, true, kExplosion},
+    Action{"Time", "Trails", "T", toggle<&Design::show_trails>, nullptr, isOn<&Design::show_trails>, false, kExplosion},
+    Action{"Time", "Speed arrows", "V", toggle<&Design::show_speed>, nullptr, isOn<&Design::show_speed>, false, kExplosion},
+    Action{"Time", "Figures", "K", toggle<&Design::show_figures>, nullptr, isOn<&Design::show_figures>, false, kExplosion},
+    Action{"Design", "Unlock all parameters", "", [](Ui ui) { ui.session.design.locked.clear(); }, [](Ui ui) { return !ui.session.design.locked.empty(); }, nullptr, false, kExplosion},
 };
 
 }  // namespace

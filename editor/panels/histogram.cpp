@@ -8,7 +8,7 @@
 namespace npsee::editor {
 namespace {
 
-std::string threeDigits(double value) {
+std::string threeFigures(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
@@ -36,11 +36,11 @@ void drawHistogram(const PanelContext& ui, const Row& row) {
   list.AddLine({mean, box.at.y}, {mean, box.end().y + ui.px(3)}, ui.theme.text, 1.0f);
   ImGui::PushFont(ui.fonts.small);
   const Unit unit = row.parameter.unit;
-  rowText({box.at.x, box.end().y}, 0.3f * box.width, words + ui.px(2), ui.theme.dim, threeDigits(toUnit(unit, histogram.low)));
-  const std::string middle = "mean " + threeDigits(toUnit(unit, histogram.mean));
+  rowText({box.at.x, box.end().y}, 0.3f * box.width, words + ui.px(2), ui.theme.dim, threeFigures(toUnit(unit, histogram.low)));
+  const std::string middle = "mean " + threeFigures(toUnit(unit, histogram.mean));
   const float half = 0.5f * ImGui::CalcTextSize(middle.c_str()).x;
   rowTextRight(std::clamp(mean + half, box.at.x + 2.0f * half + ui.px(40), box.right() - ui.px(62)), box.end().y, words + ui.px(2), ui.theme.text, middle);
-  rowTextRight(box.right(), box.end().y, words + ui.px(2), ui.theme.dim, threeDigits(toUnit(unit, histogram.high)) + ' ' + shortUnit(unit));
+  rowTextRight(box.right(), box.end().y, words + ui.px(2), ui.theme.dim, threeFigures(toUnit(unit, histogram.high)) + ' ' + shortUnit(unit));
   ImGui::PopFont();
 }
 

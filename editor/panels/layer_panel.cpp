@@ -55,7 +55,7 @@ void nameField(const PanelContext& ui, const Box& box) {
   const std::string before = ui.session.document.layer().name;
   if (ui.session.took(ui.session.document.renameLayer(*text))) {
     ui.state.typing = {};
-    if (ui.session.design.solo.erase(before) > 0) ui.session.design.solo.insert(*text);
+    ui.session.design.rename(before, *text);
   }
   else refuseTyping(ui, ui.session.notices.error);
 }

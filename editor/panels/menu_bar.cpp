@@ -81,8 +81,9 @@ void drawMenuBar(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(30) - ImGui::GetFontSize()))));
   beginMenuStyle(ui);
   if (ImGui::BeginMenuBar()) {
-    const std::array<std::string_view, 6> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Time", "Help"};
-    for (const std::string_view menu : menus) drawMenu(ui, menu);
+    const std::array<std::string_view, 7> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Design", "Time", "Help"};
+    for (const std::string_view menu : menus)
+      if (menu != "Design" || !ui.session.inMission()) drawMenu(ui, menu);
     drawModes(ui);
     drawTitle(ui);
     ImGui::EndMenuBar();

@@ -1,6 +1,7 @@
 #include "editor/document/clipboard.h"
 #include "editor/panels/design_actions.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/vary_strip.h"
 #include "editor/ui/controls.h"
 
 #include <imgui_stdlib.h>
@@ -68,6 +69,7 @@ void sectionMenu(const PanelContext& ui, Section section) {
     if (entry("Paste")) pasteClipboard(ui);
     ImGui::Separator();
     if (entry("Reset " + name)) resetSection(ui, section);
+    if (document.hasLayer() && entry("Randomise " + name)) varyLayers(ui, document.selected(), section);
   });
 }
 
@@ -81,7 +83,7 @@ void drawSection(const PanelContext& ui, Section section, const std::string& wor
   if (foldingHeading(ui, std::string(title(section)), folded) && word.empty()) {
     if (!ui.state.folded.erase(section)) ui.state.folded.insert(section);
   }
-  ui.resting("section:" + std::string(title(section)), "Click folds it; the right button copies, pastes or resets all its parameters.");
+  ui.resting("section:" + std::string(title(section)), "Click folds it; the right button copies, pastes, resets or randomises all its parameters.");
   sectionMenu(ui, section);
   if (folded) return;
   for (const Parameter* row : rows) drawParameterRow(ui, *row);
@@ -107,12 +109,14 @@ void drawSearch(const PanelContext& ui) {
 
 void drawParameterPanel(const PanelContext& ui) {
   drawSearch(ui);
+  drawVaryStrip(ui);
   for (const Parameter& parameter : parameters())
     if ((parameter.scope == Scope::burst || ui.session.document.hasLayer()) && asked(ui, parameter)) ui.state.search.clear();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), 0));
   ImGui::BeginChild("parameters", ImVec2(0, 0), false, ImGuiWindowFlags_NoBackground);
   const std::string word = capitals(ui.state.search);
   bool any = false;
+  ui.state.tabbing.before.clear();
   for (const Section section : kOrder) {
     any = any || !rowsOf(ui, section, word).empty();
     drawSection(ui, section, word);

@@ -1,5 +1,6 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/row.h"
+#include "editor/panels/vary_strip.h"
 #include "editor/ui/controls.h"
 
 #include <algorithm>
@@ -98,7 +99,30 @@ void drawHelp(const PanelContext& ui, const Row& row, const RowFrame& frame) {
   if (p.type == ParameterType::number || p.type == ParameterType::integer || p.type == ParameterType::vector)
     help.lines.push_back("From " + shortest(p.hard.min) + " to " + shortest(p.hard.max) + unit + ".");
   help.lines.push_back("Now " + clipped(valueText(p, row.value, true)) + ", by default " + clipped(valueText(p, p.initial, true)) + '.');
+  if (locked(ui, row.name)) help.lines.push_back("Locked: randomising leaves it as it is.");
   drawRowHelp(ui, frame, help);
+}
+
+/// Tab in a field goes on to the next row that can be typed in, Shift+Tab to the one before.
+void passTyping(const PanelContext& ui, const Row& row) {
+  UiState::Tabbing& tab = ui.state.tabbing;
+  using enum ParameterType;
+  const bool typable = row.parameter.type == number || row.parameter.type == integer;
+  if (!typable) return;
+  if (tab.by < 0 && tab.from == row.name && !tab.before.empty()) {
+    tab.to = tab.before;
+    tab.by = 0;
+  }
+  if (tab.by > 0 && tab.before == tab.from && tab.from != row.name) {
+    tab.to = row.name;
+    tab.by = 0;
+  }
+  if (tab.to == row.name && tab.by == 0) {
+    beginTyping(ui, row.name, valueText(row.parameter, row.value, true));
+    ui.items.want("row:" + row.name);
+    tab.to.clear();
+  }
+  tab.before = row.name;
 }
 
 void drawWidget(const PanelContext& ui, const Row& row) {
@@ -129,7 +153,9 @@ void drawParameterRow(const PanelContext& ui, const Parameter& parameter) {
   row.control = frame.control;
   if (ui.resting(row.name, std::string(parameter.doc))) drawHelp(ui, row, frame);
   contextMenu(ui, ("menu:" + row.name).c_str(), [&] { drawRowMenu(ui, row); });
+  drawLock(ui, row, frame);
   takeScripted(ui, row);
+  passTyping(ui, row);
   drawWidget(ui, row);
   if (endRow(ui, frame, row.changed && resettable(row) ? clipped(valueText(parameter, parameter.initial, true)) : std::string(), !row.idle.empty())) commit(ui, row, parameter.initial);
   drawLifeList(ui, row);

@@ -1,5 +1,10 @@
 #include "editor/panels/row.h"
 
+#include "editor/document/vary.h"
+#include "editor/panels/vary_strip.h"
+
+#include <utility>
+
 namespace npsee::editor {
 namespace {
 
@@ -20,8 +25,10 @@ void typedRow(const PanelContext& ui, const Row& row) {
   const auto text = typingField(ui, row.control, longText(row.parameter));
   if (!text) return;
   const auto value = parseValue(row.parameter, *text);
+  const int by = std::exchange(ui.state.typing.tab, 0);
   if (value) commitTyped(ui, row, *value);
-  else refuseTyping(ui, faultOf(value).text());
+  if (value && by != 0 && ui.state.typing.name.empty()) ui.state.tabbing = {by, row.name, {}, ui.state.tabbing.before};
+  if (!value) refuseTyping(ui, faultOf(value).text());
 }
 
 std::optional<double> typedNumber(const PanelContext& ui, const std::string& name, const Box& box, Unit unit) {
@@ -51,6 +58,7 @@ void drawRowMenu(const PanelContext& ui, const Row& row) {
   };
   if (entry("Type a value", row.parameter.type != ParameterType::boolean)) beginTyping(ui, row.name, valueText(row.parameter, row.value, true));
   if (entry("Reset", row.changed && resettable(row))) commit(ui, row, row.parameter.initial);
+  if (varies(row.parameter) && entry(locked(ui, row.name) ? "Unlock" : "Lock against randomising")) toggleLock(ui, row.name);
   ImGui::Separator();
   if (entry("Copy value")) ImGui::SetClipboardText(valueText(row.parameter, row.value).c_str());
   if (entry("Copy key")) ImGui::SetClipboardText(row.name.c_str());

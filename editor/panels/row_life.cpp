@@ -1,13 +1,13 @@
+#include "editor/panels/life_editor.h"
 #include "editor/panels/row.h"
 #include "editor/ui/controls.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace npsee::editor {
 namespace {
-
-ImU32 packed(const Colour& c) { return ImGui::ColorConvertFloat4ToU32(ImVec4(static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), 1.0f)); }
 
 Colour unpacked(const float* rgb) {
   // Whole 255ths, so that the file can say #rrggbb.
@@ -19,7 +19,10 @@ Colour unpacked(const float* rgb) {
 std::optional<Colour> swatch(const PanelContext& ui, const std::string& name, const Colour& colour, const Box& box) {
   ImGui::SetCursorScreenPos({box.at.x, box.at.y + ui.px(3)});
   const float height = box.height - ui.px(6);
-  if (ImGui::InvisibleButton(name.c_str(), ImVec2(box.width, height))) ImGui::OpenPopup((name + "?").c_str());
+  if (ImGui::InvisibleButton(name.c_str(), ImVec2(box.width, height)) || name == "swatch:" + ui.state.life.picker) {
+    ImGui::OpenPopup((name + "?").c_str());
+    ui.state.life.picker.clear();
+  }
   ui.item(name);
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, packed(colour), ui.px(4));
@@ -31,32 +34,6 @@ std::optional<Colour> swatch(const PanelContext& ui, const std::string& name, co
   ui.item(name + ".picker");
   ImGui::EndPopup();
   return changed ? std::optional(unpacked(rgb)) : std::nullopt;
-}
-
-Colour colourAt(const Gradient& gradient, double at) {
-  if (at <= gradient.front().at) return gradient.front().colour;
-  for (std::size_t i = 1; i < gradient.size(); ++i) {
-    const GradientStop &a = gradient[i - 1], &b = gradient[i];
-    if (at > b.at) continue;
-    const double u = b.at > a.at ? (at - a.at) / (b.at - a.at) : 1.0;
-    return {a.colour.r + u * (b.colour.r - a.colour.r), a.colour.g + u * (b.colour.g - a.colour.g), a.colour.b + u * (b.colour.b - a.colour.b)};
-  }
-  return gradient.back().colour;
-}
-
-void drawGradient(const PanelContext& ui, const Gradient& gradient, ImVec2 min, ImVec2 max) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  double from = 0.0;
-  const auto piece = [&](double to) {
-    const ImU32 left = packed(colourAt(gradient, from)), right = packed(colourAt(gradient, to));
-    const float x0 = min.x + static_cast<float>(from) * (max.x - min.x), x1 = min.x + static_cast<float>(to) * (max.x - min.x);
-    list.AddRectFilledMultiColor({x0, min.y}, {x1, max.y}, left, right, right, left);
-    from = to;
-  };
-  for (const GradientStop& stop : gradient)
-    if (stop.at > from) piece(stop.at);
-  if (from < 1.0) piece(1.0);
-  list.AddRect(min, max, ui.theme.line);
 }
 
 void drawCurve(const PanelContext& ui, const Curve& curve, ImVec2 min, ImVec2 max) {
@@ -163,7 +140,7 @@ void lifeRow(const PanelContext& ui, const Row& row) {
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, ImGui::IsItemHovered() ? ui.theme.raised : ui.theme.background, ui.px(4));
   const Gradient* gradient = std::get_if<Gradient>(&row.value);
   const Curve* curve = std::get_if<Curve>(&row.value);
-  if (gradient != nullptr && !gradient->empty()) drawGradient(ui, *gradient, min, max);
+  if (gradient != nullptr && !gradient->empty()) drawGradientBar(ui, *gradient, min, max);
   else if (curve != nullptr && !curve->empty()) drawCurve(ui, *curve, min, max);
   else rowText({row.control.at.x + ui.px(8), row.control.at.y}, row.control.width, row.control.height, ui.theme.dim, gradient != nullptr ? "initial colour throughout" : "constant");
   if (!clicked) return;
@@ -172,6 +149,7 @@ void lifeRow(const PanelContext& ui, const Row& row) {
 
 void drawLifeList(const PanelContext& ui, const Row& row) {
   if (!unfolded(ui, row)) return;
+  drawLifeEditor(ui, row);
   if (const auto* curve = std::get_if<Curve>(&row.value)) pointList(ui, row, *curve, CurvePoint{});
   if (const auto* gradient = std::get_if<Gradient>(&row.value)) pointList(ui, row, *gradient, GradientStop{0.0, ui.session.document.layer().colour});
 }

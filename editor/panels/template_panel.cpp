@@ -1,4 +1,5 @@
 #include "app/render/template_camera.h"
+#include "editor/document/vary.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
@@ -58,19 +59,11 @@ void turn(const PanelContext& ui) {
   session.template_pitch_rad = std::clamp(session.template_pitch_rad + 0.01 * static_cast<double>(moved.y / ui.scale), -0.2, 1.5);
 }
 
-/// Three significant digits in the unit people read: what a hand can place.
-double roundedFor(const Parameter& parameter, double si) {
-  const double shown = toUnit(parameter.unit, si);
-  if (shown == 0.0) return si;
-  const double places = std::pow(10.0, 2.0 - std::floor(std::log10(std::abs(shown))));
-  return toSi(parameter.unit, std::round(shown * places) / places);
-}
-
 /// Drags a handle: its parameter follows the pointer, one drag being one undo step.
 void pull(const PanelContext& ui, const Pose& pose) {
   const Parameter& parameter = pose.parameter(ui.state.handle);
   const auto [x, y] = pose.pointer();
-  const double value = roundedFor(parameter, pose.camera.dragged(pose.shape, ui.state.handle, x, y));
+  const double value = threeDigits(parameter, pose.camera.dragged(pose.shape, ui.state.handle, x, y));
   if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) return;
   ui.session.took(ui.session.document.assign(parameter, value, "template handle"));
   // A held handle stays under the pointer.

@@ -1,5 +1,6 @@
 #include "editor/document/camera_moves.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/time_overlays.h"
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
 
@@ -78,6 +79,7 @@ void drawViewport(const PanelContext& ui) {
   ui.session.setAspect(static_cast<double>(box.width / box.height));
   ImGui::InvisibleButton("viewport", ImVec2(box.width, box.height), ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   ui.item("viewport");
+  ImGui::SetItemAllowOverlap();  // switches lie on it
   steer(ui, box);
   ui.resting("viewport", "Left drag turns, middle drag shifts, the wheel moves nearer; F shows everything, F1 lists all keys.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -85,6 +87,7 @@ void drawViewport(const PanelContext& ui) {
   if (const ImTextureID texture = ui.pictures.explosion(ui.session, static_cast<int>(box.width), static_cast<int>(box.height)))
     list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
   drawOverlays(ui, box);
+  drawTimeOverlays(ui, box);
 }
 
 }  // namespace npsee::editor

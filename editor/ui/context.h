@@ -59,8 +59,16 @@ struct UiState {
     std::string text;
     std::string wrong;  ///< why the text was not taken
     bool fresh = true;  ///< the field has not had the focus yet
+    int tab = 0;        ///< Tab (1) or Shift+Tab (-1) left the field
     bool shown = true;  ///< the field was drawn in this frame; one that is not any more is given up
   } typing;
+
+  /// Tab goes from one row's field to another's.
+  struct Tabbing {
+    int by = 0;        ///< 1 on, -1 back; 0 = the target is known, or there is none
+    std::string from, to;
+    std::string before;  ///< the row drawn last that can be typed in
+  } tabbing;
 
   /// The item under the pointer, for how long.
   struct Hover {
@@ -74,8 +82,18 @@ struct UiState {
   std::map<std::string, std::string> typed;
   std::string typed_error;
 
+  /// The point of a curve or gradient that is held, or was last.
+  struct Life {
+    std::string name;
+    int point = -1;
+    double top = 1.0;    ///< of the graph when it was taken
+    bool snap = false;
+    bool moving = false;
+    std::string picker;  ///< stop whose colours are to be opened
+  } life;
   std::set<std::string> unfolded;  ///< curves and gradients whose points are listed
   render::TemplateHandle handle = render::TemplateHandle::none;  ///< of the template, under the pointer or held
+  std::optional<double> sweep_from_s;  ///< where a range to be looped was begun on the time line
   std::string seen_layer;  ///< the selected one; another one is scrolled into view
   bool template_particles = true;  ///< the template shows where particles start
   /// The layer being dragged in the list, and where it would go.

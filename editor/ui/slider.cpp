@@ -58,7 +58,8 @@ std::optional<double> dragged(const PanelContext& ui, const NumberSpec& spec, co
   drag.moving = true;
   ui.state.click = {};
   drag.fraction += static_cast<double>(moved / box.width) * (io.KeyShift ? 0.1 : 1.0);
-  return valueAt(spec, std::clamp(drag.fraction, 0.0, 1.0), box.width, io.KeyShift);
+  // Alt takes round values only, as if the track were a twelfth as long.
+  return valueAt(spec, std::clamp(drag.fraction, 0.0, 1.0), io.KeyAlt && !io.KeyShift ? box.width / 12.0f : box.width, io.KeyShift);
 }
 
 /// A click on the track that did not become a double click.
@@ -144,7 +145,7 @@ std::optional<double> numberField(const PanelContext& ui, const std::string& nam
   if (!drag.moving && std::abs(io.MousePos.x - drag.pressed_x) < kDragThreshold_px) return std::nullopt;
   const float moved = drag.moving ? io.MouseDelta.x : io.MousePos.x - drag.pressed_x;
   drag.moving = true;
-  const double per_pixel = roundStep((spec.slider.max - spec.slider.min) / 300.0) * (io.KeyShift ? 0.1 : 1.0);
+  const double per_pixel = roundStep((spec.slider.max - spec.slider.min) / 300.0) * (io.KeyShift ? 0.1 : io.KeyAlt ? 10.0 : 1.0);
   drag.fraction += static_cast<double>(moved) * per_pixel;
   return std::clamp(rounded(drag.fraction, per_pixel), spec.hard.min, spec.hard.max);
 }
@@ -155,12 +156,13 @@ std::string shortNumber(double value) {
   return text;
 }
 
-void beginTyping(const PanelContext& ui, const std::string& name, const std::string& text) { ui.state.typing = {name, text, {}, true, true}; }
+void beginTyping(const PanelContext& ui, const std::string& name, const std::string& text) { ui.state.typing = {name, text, {}, true, 0, true}; }
 
 void refuseTyping(const PanelContext& ui, const std::string& why) {
   // A field that lost the focus cannot stay open: the message goes where it can be read.
   ui.session.notices.error = why;
   ui.state.typing.wrong = why;
+  ui.state.typing.tab = 0;
   ui.state.typing.fresh = true;
 }
 

@@ -29,11 +29,11 @@ struct Box {
 double fractionOf(const NumberSpec& spec, double value);
 double valueAt(const NumberSpec& spec, double fraction, double width_px, bool fine);
 
-/// Slider "slider:NAME" with its thumb "thumb:NAME". Drag the thumb or the track; Shift drags ten times finer; a click on the
+/// Slider "slider:NAME" with its thumb "thumb:NAME". Drag the thumb or the track; Shift drags ten times finer, Alt takes round values only; a click on the
 /// track jumps there; Ctrl-click or double click begins typing. Returns the new value while it changes.
 std::optional<double> slider(const PanelContext& ui, const std::string& name, const NumberSpec& spec, const Box& box);
 
-/// A number without a track, "number:NAME": drag sideways, double click to type.
+/// A number without a track, "number:NAME": drag sideways (Shift ten times finer, Alt ten times coarser), double click to type.
 std::optional<double> numberField(const PanelContext& ui, const std::string& name, const NumberSpec& spec, const Box& box, const std::string& prefix = {});
 
 /// Number with at most six significant digits, without trailing zeros.

@@ -1,0 +1,224 @@
+#include "editor/document/design.h"
+#include "editor/document/life_presets.h"
+#include "editor/document/vary.h"
+#include "tests/editor/editor_script.h"
+
+#include <npsee/preset.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace npsee::editor {
+namespace {
+
+using test::EditorScript;
+
+Preset shipped(const std::string& name) {
+  auto preset = loadPreset(std::string(NPSEE_SOURCE_DIR) + "/presets/" + name + ".npsee.json");
+  EXPECT_TRUE(preset.has_value());
+  return preset ? *preset : Preset();
+}
+
+TEST(Vary, IsAPureFunctionThatStaysValidWithinSlidersAndKeepsWhatIsOff) {
+  for (const char* name : {"classic_1993", "ground_burst_soil", "firework_crossette", "dense_fragments"}) {
+    const Preset preset = shipped(name);
+    for (std::uint64_t draw = 0; draw < 20; ++draw) {
+      const Variation variation{1.0, draw};
+      const Preset out = varied(preset, variation);
+      EXPECT_EQ(out, varied(preset, variation));
+      EXPECT_NE(out, preset);
+      EXPECT_TRUE(validate(out).empty());
+      for (std::size_t i = 0; i < preset.layers.size(); ++i)
+        for (const Parameter& row : parameters(Scope::layer)) {
+          const Value was = row.get(preset.layers[i]), is = row.get(out.layers[i]);
+          if (!varies(row) || was == Value(0.0) || was == Value(std::int64_t{0})) {
+            EXPECT_EQ(is, was) << row.key;
+          }
+          if (row.type != ParameterType::number) continue;
+          const double low = std::min(row.slider.min, toUnit(row.unit, std::get<double>(was))), high = std::max(row.slider.max, toUnit(row.unit, std::get<double>(was)));
+          EXPECT_GE(toUnit(row.unit, std::get<double>(is)), low * 0.999 - 1e-9) << row.key;
+          EXPECT_LE(toUnit(row.unit, std::get<double>(is)), high * 1.001 + 1e-9) << row.key;
+        }
+    }
+  }
+}
+
+TEST(Vary, TheAmountBoundsHowFarValuesGo) {
+  const Preset preset = shipped("classic_1993");
+  double furthest = 0.0;
+  for (std::uint64_t draw = 0; draw < 200; ++draw) {
+    const double speed = varied(preset, {0.2, draw}).layers[0].speed_mean_mps / preset.layers[0].speed_mean_mps;
+    furthest = std::max(furthest, std::abs(std::log2(speed)));
+  }
+  // 2^(2 x 0.2) at most, rounded to three digits; 200 draws come near it.
+  EXPECT_LT(furthest, 0.405);
+  EXPECT_GT(furthest, 0.35);
+}
+
+TEST(Vary, LocksSectionsAndLayersAreKept) {
+  Preset preset = shipped("classic_1993");
+  preset.layers.push_back(preset.layers[0]);
+  preset.layers[1].name = "others";
+  const std::set<std::string> locked{preset.layers[0].name + ".ejection_angle"};
+  const Preset out = varied(preset, {0.5, 3, 0, Section::launch, &locked});
+  EXPECT_EQ(out.layers[0].ejection_angle_rad, preset.layers[0].ejection_angle_rad);
+  EXPECT_NE(out.layers[0].speed_mean_mps, preset.layers[0].speed_mean_mps);
+  EXPECT_EQ(out.layers[0].region_radius_m, preset.layers[0].region_radius_m) << "another section";
+  for (std::size_t i = 1; i < preset.layers.size(); ++i) EXPECT_EQ(out.layers[i], preset.layers[i]);
+}
+
+TEST(Vary, NeverGoesOverTheParticleLimit) {
+  Preset preset = shipped("classic_1993");
+  preset.layers[0].count = kMaxParticles;
+  for (std::uint64_t draw = 0; draw < 10; ++draw) EXPECT_TRUE(validate(varied(preset, {1.0, draw})).empty());
+}
+
+TEST(Design, RenamingALayerTakesItsLocksAlong) {
+  Design design;
+  design.locked = {"a.speed_mean", "ab.speed_mean"};
+  design.solo = {"a"};
+  design.rename("a", "new");
+  EXPECT_EQ(design.locked, (std::set<std::string>{"new.speed_mean", "ab.speed_mean"}));
+  EXPECT_TRUE(design.shows("new"));
+  EXPECT_FALSE(design.shows("ab"));
+}
+
+TEST(LifePresets, AreAllAllowedByTheirParametersAndReverseTwiceIsTheSame) {
+  for (const char* key : {"opacity_over_life", "size_over_life"}) {
+    const Parameter& row = *findParameter(Scope::layer, key);
+    EXPECT_GE(curvePresets(row).size(), 6u) << key;
+    for (const auto& preset : curvePresets(row)) {
+      EXPECT_EQ(checkValue(row, preset.course), "") << preset.name;
+      for (const CurvePoint& point : reversed(preset.course)) EXPECT_NEAR(valueOf(preset.course, 1.0 - point.at), point.value, 1e-12);
+    }
+  }
+  const Parameter& colour = *findParameter(Scope::layer, "colour_over_life");
+  EXPECT_GE(gradientPresets(colour).size(), 8u);
+  for (const auto& preset : gradientPresets(colour)) EXPECT_EQ(checkValue(colour, reversed(preset.course)), "") << preset.name;
+}
+
+TEST_F(EditorScript, PointsOfACurveAreAddedDraggedSnappedAndTakenAway) {
+  passes(R"(set fragments.size_over_life [[0,1],[1,1]]
+click life:fragments.size_over_life
+click graph:fragments.size_over_life
+expect fragments.size_over_life contains [0.5
+expect undo = 2
+drag point:fragments.size_over_life.1 40 -30
+expect undo = 3
+expect fragments.size_over_life != [[0,1],[0.5,1],[1,1]]
+click "toggle:snap:fragments.size_over_life"
+drag point:fragments.size_over_life.1 3 3
+expect undo = 4
+rightclick point:fragments.size_over_life.1
+expect fragments.size_over_life = [[0,1],[1,1]]
+expect undo = 5
+click point:fragments.size_over_life.1
+key Delete
+expect fragments.size_over_life = [[0,1]]
+click "choice:course:fragments.size_over_life"
+click "choice:course:fragments.size_over_life=Shrink"
+expect fragments.size_over_life = [[0,1],[1,0.1]]
+click "toggle:reverse:fragments.size_over_life"
+expect fragments.size_over_life = [[0,0.1],[1,1]]
+)");
+}
+
+TEST_F(EditorScript, SnappedPointsStandOnTheGridAndAPointStaysBetweenItsNeighbours) {
+  passes(R"(set fragments.opacity_over_life [[0,1],[0.5,0.5],[1,0]]
+click life:fragments.opacity_over_life
+hold ctrl
+drag point:fragments.opacity_over_life.1 37 -19
+let ctrl
+expect fragments.opacity_over_life contains 0.
+drag point:fragments.opacity_over_life.1 900 0
+expect fragments.opacity_over_life contains [1.0,
+drag point:fragments.opacity_over_life.1 -900 900
+expect fragments.opacity_over_life = [[0,1],[0,0],[1,0]]
+)");
+}
+
+TEST_F(EditorScript, StopsOfAGradientAreAddedDraggedAndTakenAway) {
+  passes(R"(click life:fragments.colour_over_life
+click "choice:course:fragments.colour_over_life"
+click "choice:course:fragments.colour_over_life=White smoke"
+expect fragments.colour_over_life = [[0,"#f4f4f2"],[1,"#b9bcc0"]]
+expect undo = 1
+click graph:fragments.colour_over_life
+expect undo = 2
+expect fragments.colour_over_life contains [0.5,"#d7d8d9"]
+drag point:fragments.colour_over_life.1 40 0
+expect undo = 3
+rightclick point:fragments.colour_over_life.1
+expect fragments.colour_over_life = [[0,"#f4f4f2"],[1,"#b9bcc0"]]
+doubleclick point:fragments.colour_over_life.0
+expect visible swatch:fragments.colour_over_life.0.picker
+)");
+}
+
+TEST_F(EditorScript, AltDragsToRoundValues) {
+  passes(R"(set fragments.ejection_angle 45
+hold alt
+drag fragments.ejection_angle 23
+let alt
+expect fragments.ejection_angle >= 50
+expect fragments.ejection_angle <= 80
+)");
+  const auto result = run("hold alt\ndrag fragments.ejection_angle 23\nlet alt\nprint fragments.ejection_angle\n");
+  const std::size_t at = result.out.find('=');
+  ASSERT_NE(at, std::string::npos) << result.err;
+  EXPECT_EQ(std::fmod(std::strtod(result.out.c_str() + at + 1, nullptr), 5.0), 0.0) << result.out;
+}
+
+TEST_F(EditorScript, TabGoesFromFieldToField) {
+  passes(R"(doubleclick value:fragments.speed_mean
+type 30
+key Tab
+expect fragments.speed_mean = 30
+expect typing = fragments.speed_deviation
+type 4
+key Tab
+expect fragments.speed_deviation = 4
+wait 3
+expect typing = fragments.size_mean
+key shift+Tab
+wait 3
+expect typing = fragments.speed_deviation
+key Escape
+expect typing =
+expect undo = 2
+)");
+}
+
+TEST_F(EditorScript, RandomisingIsOneStepAndLeavesLockedRows) {
+  passes(R"(hover row:fragments.ejection_angle
+click button:lock:fragments.ejection_angle
+expect locked = 1
+note
+click button:randomise
+expect undo = 1
+expect undo.label = Randomise
+expect fragments.ejection_angle = noted
+expect fragments.speed_mean != noted
+key ctrl+Z
+expect fragments.speed_mean = noted
+key R
+expect fragments.speed_mean != noted
+rightclick row:fragments.ejection_angle
+click item:Unlock
+expect locked = 0
+doubleclick slider:vary.amount
+type 60
+key Enter
+expect vary.amount = 0.6
+key shift+R
+expect seed = 1994
+expect undo = 2
+rightclick section:Launch
+click "item:Randomise Launch"
+expect undo = 3
+)");
+}
+
+}  // namespace
+}  // namespace npsee::editor
