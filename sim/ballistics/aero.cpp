@@ -86,7 +86,7 @@ CompiledAero compileAero(const AeroTable& table) {
   }
   if (!varies) aero.mach_top = kInfinity;
   std::ranges::sort(aero.knots);
-  aero.knots.erase(std::ranges::unique(aero.knots).begin(), aero.knots.end());
+  aero.knots.erase(std::unique(aero.knots.begin(), aero.knots.end()), aero.knots.end());
   aero.knots.push_back(kInfinity);
   aero.rows.assign((aero.knots.size() - 1) * kRow, 0.0);
   for (std::size_t c = 0; c < kCoefficients; ++c)

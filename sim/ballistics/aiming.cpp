@@ -118,8 +118,8 @@ void Aimer::narrowMaximum() {
     for (std::size_t i = 0; i < 4; ++i)
       if (flights[i].end == FlightEnd::impact) samples_.push_back({shots[i].elevation_rad, distance(flights[i]), turns[i]});
     std::ranges::sort(samples_, {}, &Sample::elevation_rad);
-    const auto duplicates = std::ranges::unique(samples_, {}, &Sample::elevation_rad);
-    samples_.erase(duplicates.begin(), duplicates.end());
+    const auto same = [](const Sample& one, const Sample& next) { return one.elevation_rad == next.elevation_rad; };
+    samples_.erase(std::unique(samples_.begin(), samples_.end(), same), samples_.end());
     narrow = samples_.size() == kSamples + 4;
   }
   searchMaximum(narrow ? 1 : 60);

@@ -49,7 +49,7 @@ class Reader {
 
   /// The source of a value: the keys it begins with, joined by commas, must be in "sources".
   std::string source(const std::string& pointer) {
-    const std::string text = fields.text(pointer, true);
+    std::string text = fields.text(pointer, true);
     for (const std::string_view part : splitAt(text, ',')) {
       const std::string_view key = trimmed(part);
       std::vector<std::string_view> known;

@@ -5,7 +5,7 @@
 namespace npsee::lanes {
 
 typedef double Twin __attribute__((vector_size(16)));
-typedef std::int64_t TwinMask __attribute__((vector_size(16)));  ///< all ones = true, 0 = false
+typedef decltype(Twin{} < Twin{}) TwinMask;  ///< 64-bit integers, of the kind that the compiler compares to; all ones = true, 0 = false
 
 NPSEE_KERNEL_INLINE void fill(Twin& to, double value) { to = Twin{value, value}; }
 NPSEE_KERNEL_INLINE Twin select(TwinMask mask, Twin yes, Twin no) { return (Twin)((mask & (TwinMask)yes) | (~mask & (TwinMask)no)); }

@@ -6,7 +6,7 @@ namespace npsee::lanes {
 
 typedef double Doubles __attribute__((vector_size(32)));
 typedef double Twin __attribute__((vector_size(16)));
-typedef std::int64_t Masks __attribute__((vector_size(32)));  ///< all ones = true, 0 = false
+typedef decltype(Doubles{} < Doubles{}) Masks;  ///< 64-bit integers, of the kind that the compiler compares to; all ones = true, 0 = false
 
 NPSEE_KERNEL_INLINE void fill(Doubles& to, double value) { to = Doubles{value, value, value, value}; }
 NPSEE_KERNEL_INLINE Doubles select(Masks mask, Doubles yes, Doubles no) { return (Doubles)_mm256_blendv_pd((__m256d)no, (__m256d)yes, (__m256d)mask); }

@@ -39,7 +39,7 @@ bool walkSquares(const LineOverSquares& line, double from, double to, const Squa
     const bool by_x = (left_z == 0) | ((left_x != 0) & (next_x <= next_z));
     double end = by_x ? next_x : next_z;
     end = end > t ? end : t;
-    end = (end < to) & (left_x + left_z > 0) ? end : to;
+    end = ((end < to) & (left_x + left_z > 0)) ? end : to;
     if (!visit(column, row, t, end)) return false;
     if (left_x + left_z == 0) return true;
     t = end;

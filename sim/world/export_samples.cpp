@@ -52,8 +52,7 @@ class Sampler {
       told = t;
     }
     std::ranges::sort(times);
-    const auto repeated = std::ranges::unique(times);
-    times.erase(repeated.begin(), repeated.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     for (const double t : times)
       if (t >= 0.0 && t <= r_.duration_s) addVehicle(i, t);
   }

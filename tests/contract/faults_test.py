@@ -3,6 +3,7 @@ file is half written."""
 
 import os
 import resource
+import subprocess
 import unittest
 
 from command_line import SANITIZED, SOURCE, CommandLine
@@ -76,6 +77,24 @@ class Faults(CommandLine):
                 self.expect(3, self.run_npsee(*call), "gone.")
         os.symlink("gone.npsee.json", self.folder / "broken.npsee.json")
         self.expect(3, self.run_npsee("particles", "broken.npsee.json", "--time", "1"), "broken.")
+
+    def test_a_kill_at_any_moment_leaves_every_file_old_or_new(self):
+        for call, name in ((("mission", "m.mission.json", "--quiet", "--until", "60", "--record", "out"), "out"), (("particles", "small.npsee.json", "--time", "1", "-o", "out.csv"), "out.csv"),
+                           (("render", "small.npsee.json", "--size", "160x90", "-o", "out.png"), "out.png")):
+            self.assertEqual(self.run_npsee(*call).returncode, 0)
+            new = (self.folder / name).read_bytes()
+            # A timeout kills with SIGKILL. Whenever that is, the file must be one or the other.
+            states = set()
+            for moment in range(34):
+                self.write(name, b"old")
+                try:
+                    self.run_npsee(*call, seconds=0.004 * (moment + 1))
+                except subprocess.TimeoutExpired:
+                    pass
+                now = (self.folder / name).read_bytes()
+                self.assertIn(now, (b"old", new), f"{' '.join(call)}, killed at moment {moment}")
+                states.add(now == new)
+            self.assertTrue(states)
 
     @unittest.skipIf(SANITIZED, "sanitizers take addresses of their own")
     def test_memory_that_does_not_suffice_is_told(self):

@@ -133,10 +133,8 @@ class SourceArchive(unittest.TestCase):
             # The way out is closed to whatever would fetch something.
             closed = {**os.environ, "http_proxy": "http://127.0.0.1:9", "https_proxy": "http://127.0.0.1:9", "GIT_ALLOW_PROTOCOL": "file"}
             run(CMAKE, "-S", tree, "-B", folder / "b", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", env=closed)
-            plan = run("ninja", "-C", folder / "b", "-n", env=closed)
-            self.assertIn("npsee", plan)
-            # One small room is compiled for real; every other takes what stands in the same archive.
-            run("ninja", "-C", folder / "b", "app/render/all", env=closed)
+            # The loader, whose source is generated, is compiled for real; every other room takes what stands in the same archive.
+            run("ninja", "-C", folder / "b", "npsee_glad", env=closed)
             cache = (folder / "b/CMakeCache.txt").read_text()
             self.assertNotIn("FETCHCONTENT", cache)
 

@@ -1,3 +1,4 @@
+#include "tests/fuzz/require.h"
 #include "tests/fuzz/targets.h"
 
 #include "sim/core/text.h"
@@ -5,17 +6,9 @@
 #include <npsee/parameters.h>
 #include <npsee/preset.h>
 
-#include <cstdio>
-#include <cstdlib>
 
 namespace npsee::fuzz {
 namespace {
-
-void require(bool holds, const char* promise, const std::string& detail = {}) {
-  if (holds) return;
-  std::fprintf(stderr, "broken promise: %s\n%s\n", promise, printable(detail).c_str());
-  std::abort();
-}
 
 void survivesAFile(const Preset& preset) {
   const std::string text = presetText(preset);
@@ -42,8 +35,7 @@ Preset twoLayers() {
 void presetFile(std::string_view bytes) {
   const auto preset = parsePreset(bytes, "fuzz");
   if (!preset) {
-    require(!preset.error().faults.empty(), "an error names a fault");
-    for (const Fault& fault : preset.error().faults) require(!fault.what.empty() && !fault.text().empty(), "a fault says what");
+    requireFaults(preset.error());
     return;
   }
   const auto faults = validate(*preset);
@@ -64,6 +56,25 @@ void settings(std::string_view bytes) {
     }
   }
   if (validate(preset).empty()) survivesAFile(preset);
+}
+
+std::span<const NamedTarget> targets() {
+  static constexpr NamedTarget all[] = {
+      {"preset", presetFile, "presets .npsee.json"},
+      {"setting", settings, ""},
+      {"mission", missionFile, "assets/missions .mission.json"},
+      {"mission_setting", missionSettings, ""},
+      {"weapons", weaponsFile, "assets .dat"},
+      {"rules", rulesFile, "assets/rules .clp"},
+      {"projectile", projectileFile, "assets/projectiles .json"},
+      {"aero", aeroTable, ""},
+      {"recording", recordingFile, "tests/data/v1 .rec"},
+      {"hgt", terrainHgt, ""},
+      {"png", terrainPng, ""},
+      {"script", uiScript, ""},
+      {"picture", comparedPicture, "assets/desktop/icons 16.png"},
+  };
+  return all;
 }
 
 }  // namespace npsee::fuzz
