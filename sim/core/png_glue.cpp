@@ -30,11 +30,23 @@ void append(png_structp png, png_bytep data, png_size_t size) {
 
 void flushNothing(png_structp) {}
 
+/// The bytes up to a chunk that claims to be longer than the rest of the file. libpng takes memory for a chunk by its word, up to 2 GiB.
+std::string_view beforeFalseChunk(std::string_view bytes) {
+  constexpr std::size_t kSignature = 8, kLength = 4, kAround = 12;  // length, name and checksum of a chunk
+  for (std::size_t at = kSignature; at < bytes.size() && bytes.size() - at >= kLength;) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < kLength; ++i) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    if (length > bytes.size() - at) return bytes.substr(0, at);
+    at += length + kAround;
+  }
+  return bytes;
+}
+
 }  // namespace
 
 bool isPng(std::string_view bytes) { return bytes.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0; }
 
-Reading::Reading(std::string_view bytes) : left_(bytes), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, complain, ignoreWarning)) {
+Reading::Reading(std::string_view bytes) : left_(beforeFalseChunk(bytes)), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, complain, ignoreWarning)) {
   if (png_ != nullptr) info_ = png_create_info_struct(png_);
   if (info_ != nullptr) png_set_read_fn(png_, this, take);
 }

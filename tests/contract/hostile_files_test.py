@@ -170,6 +170,7 @@ class Pictures(Hostile):
         yield "one row of a million million pixels", png(1_000_000, 1_000_000, b"")
         yield "a text that unpacks to a gigabyte", png(1, 1, b"\0\0\0\0", tail=b"".join(chunk(b"zTXt", b"k\0\0" + zlib.compress(b"x" * 100_000_000, 9)) for _ in range(4)))
         yield "a colour profile that does", png(1, 1, b"\0\0\0\0", tail=chunk(b"iCCP", b"k\0\0" + zlib.compress(b"x" * 100_000_000, 9)))
+        yield "a text that says it has 1.5 GB", png(1, 1, b"\0\0\0\0", tail=struct.pack(">I", 1_560_281_166) + b"tEXt" + b"x" * 80)
         yield "rows that end early", png(64, 64, b"\0" * 10)
         yield "data that is no deflate", png(64, 64, b"", compressed=b"\xff" * 100)
 
