@@ -47,7 +47,7 @@ Seen seenOf(Form form) {
   }
 }
 
-void addMarks(const CompiledLayer& layer, std::vector<Mark>& marks) {
+void addMarks(const CompiledLayer& layer, double ground_y, std::vector<Mark>& marks) {
   // Something must count where nothing is seen.
   constexpr double kLeast_m2 = 1e-9;
   const LayerConstants& c = layer.constants;
@@ -61,7 +61,9 @@ void addMarks(const CompiledLayer& layer, std::vector<Mark>& marks) {
       const double age = end * sample / (kSampledAges - 1), u = life > 0.0 ? age / life : 0.0;
       const Motion<double> m = stateOf(c, chunk, static_cast<int>(particle), age);
       const double radius = 0.5 * static_cast<double>(chunk.size_m[particle]) * factorAt(c.size_over_life, u);
-      const double area = radius * radius * c.opacity * factorAt(c.opacity_over_life, u);
+      // What sinks into the ground is not drawn.
+      const double above = m.y >= ground_y ? 1.0 : std::max(0.0, 1.0 - (ground_y - m.y) / std::max(radius, 1e-9));
+      const double area = above * radius * radius * c.opacity * factorAt(c.opacity_over_life, u);
       marks.push_back({{m.x, m.y, m.z}, seen.radius * radius, kLeast_m2 + static_cast<double>(stride) * seen.weight * area});
     }
   }
@@ -97,11 +99,11 @@ std::pair<double, double> withoutStrays(const std::vector<Mark>& marks, double s
 
 Extent extentOf(const std::vector<CompiledLayer>& layers, const Vec3& burst, double ground_y) {
   std::vector<Mark> marks;
-  for (const CompiledLayer& layer : layers) addMarks(layer, marks);
+  for (const CompiledLayer& layer : layers) addMarks(layer, ground_y, marks);
   Extent out{burst, burst};
   if (marks.empty()) return out;
   const auto [x_low, x_high] = withoutStrays(marks, kStray, kStray, [](const Mark& m) { return std::pair(m.place.x - m.radius_m, m.place.x + m.radius_m); });
-  const auto [y_low, y_high] = withoutStrays(marks, kStray, kStrayAbove, [&](const Mark& m) { return std::pair(std::max(m.place.y - m.radius_m, std::min(m.place.y, ground_y)), m.place.y + m.radius_m); });
+  const auto [y_low, y_high] = withoutStrays(marks, kStray, kStrayAbove, [&](const Mark& m) { return std::pair(std::max(m.place.y - m.radius_m, ground_y), std::max(m.place.y + m.radius_m, ground_y)); });
   const auto [z_low, z_high] = withoutStrays(marks, kStray, kStray, [](const Mark& m) { return std::pair(m.place.z - m.radius_m, m.place.z + m.radius_m); });
   out.min = {std::min(burst.x, x_low), std::min(burst.y, y_low), std::min(burst.z, z_low)};
   out.max = {std::max(burst.x, x_high), std::max(burst.y, y_high), std::max(burst.z, z_high)};

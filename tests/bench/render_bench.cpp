@@ -54,7 +54,7 @@ void drawForm(benchmark::State& state) {
   for (auto _ : state)
     if (!renderer().drawToImage(scene, kCamera, kWidth, kHeight, image)) state.SkipWithError("not drawn");
 }
-BENCHMARK(drawForm)->DenseRange(0, 7)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(drawForm)->DenseRange(0, 9)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void encodePicture(benchmark::State& state) {
   test::HandMade made;

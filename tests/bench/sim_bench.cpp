@@ -37,8 +37,9 @@ void compile(benchmark::State& state) {
 }
 BENCHMARK(compile)->ArgNames({"particles", "avx2"})->Args({100, 1})->Args({100000, 0})->Args({100000, 1})->Args({1000000, 1})->Unit(benchmark::kMillisecond);
 
-void at(benchmark::State& state, unsigned fields) {
-  const Preset preset = bouncing(state.range(0));
+void at(benchmark::State& state, unsigned fields, double turbulence_m) {
+  Preset preset = bouncing(state.range(0));
+  preset.layers[0].turbulence_m = turbulence_m;
   const auto explosion = *Explosion::compile(preset, std::nullopt, nullptr, {.threads = 1, .force_baseline = state.range(1) == 0});
   Frame frame;
   double t = 0.0, bounces = 0.0;
@@ -55,9 +56,10 @@ void at(benchmark::State& state, unsigned fields) {
   state.counters["mean_bounces"] = bounces / static_cast<double>(frame.count);
   perParticle(state, state.range(0));
 }
-BENCHMARK_CAPTURE(at, positions, kPosition)->ArgNames({"particles", "avx2"})->Args({1000, 0})->Args({1000, 1})->Args({10000, 1})->Args({100000, 0})->Args({100000, 1})->Args({1000000, 1});
-BENCHMARK_CAPTURE(at, positions_velocities, kVelocity)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
-BENCHMARK_CAPTURE(at, everything, kAllFields)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
+BENCHMARK_CAPTURE(at, positions, kPosition, 0.0)->ArgNames({"particles", "avx2"})->Args({1000, 0})->Args({1000, 1})->Args({10000, 1})->Args({100000, 0})->Args({100000, 1})->Args({1000000, 1});
+BENCHMARK_CAPTURE(at, positions_velocities, kVelocity, 0.0)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
+BENCHMARK_CAPTURE(at, everything, kAllFields, 0.0)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
+BENCHMARK_CAPTURE(at, everything_in_eddies, kAllFields, 1.5)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
 
 }  // namespace
 }  // namespace npsee

@@ -51,13 +51,15 @@ std::string exactBytes(const Explosion& explosion, double t, int threads = 1) {
   return bytesOf(frame);
 }
 
-/// The same with eddies in every layer.
+/// The same with eddies in every layer, one that follows the ground and a trail of even distances.
 Preset stirred() {
   Preset preset = family();
   for (Layer& layer : preset.layers) {
     layer.turbulence_m = 1.5;
     layer.turbulence_size_m = 3.0;
   }
+  preset.layers[1].follow_ground = true;
+  preset.layers[4].path_spacing = PathSpacing::distance;
   return preset;
 }
 

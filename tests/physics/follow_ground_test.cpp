@@ -238,6 +238,16 @@ TEST(Extent, HoldsTheSizeOfWhatIsDrawn) {
   EXPECT_EQ(extent.min.y, 0.0) << "what is under the ground is not drawn";
 }
 
+TEST(Extent, DoesNotHoldWhatSinksIntoTheGround) {
+  Preset preset = cloudWithSplinters();
+  preset.layers.pop_back();
+  preset.layers[0].collide = false;
+  preset.layers[0].lifetime_mean_s = 4.0;
+  const Extent extent = compiled(preset)->extent();
+  EXPECT_EQ(extent.min.y, 0.0);
+  EXPECT_LT(extent.radius_m(), 12.0) << "it falls some 20 m below";
+}
+
 TEST(Extent, TheReachHoldsEveryParticleAtAnyTimeWithTurbulenceToo) {
   Preset preset = cloudWithSplinters();
   for (Layer& layer : preset.layers) layer.turbulence_m = 5.0;

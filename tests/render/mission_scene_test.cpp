@@ -114,6 +114,77 @@ TEST_F(Missions, TheSameMomentGivesTheSameBytesWhateverWasDrawnBefore) {
   EXPECT_EQ(image.rgba, first.rgba);
 }
 
+/// A preset of one particle that neither moves nor fades.
+std::shared_ptr<const Preset> still(Form form, double size_m, const Colour& colour) {
+  auto preset = std::make_shared<Preset>();
+  preset->layers.emplace_back();
+  Layer& layer = preset->layers[0];
+  layer.form = form;
+  layer.region_shape = RegionShape::point;
+  layer.count = 1;
+  layer.speed_mean_mps = layer.speed_deviation_mps = 0.0;
+  layer.trajectory = Trajectory::linear;
+  layer.collide = false;
+  layer.size_mean_m = size_m;
+  layer.size_deviation_m = 0.0;
+  layer.lifetime_mean_s = 10.0;
+  layer.lifetime_deviation_s = 0.0;
+  layer.colour = colour;
+  layer.colour_variation = 0.0;
+  layer.size_over_life = layer.opacity_over_life = {{0.0, 1.0}, {1.0, 1.0}};
+  return preset;
+}
+
+TEST_F(Missions, BurntGroundAndBlastFrontsLieOnTheHillside) {
+  // On the southern flank, which rises by 500 m in 1200 m.
+  test::HandRecording made(cone());
+  const Vec3 at{2000.0, made.recording.terrain.surface(2000.0, 2700.0), 2700.0};
+  made.burst(at, 3.0, "classic_1993");
+  MissionView view;
+  view.overlays = {};
+  view.overlays.scorch = false;
+  view.camera.kind = MissionCamera::Kind::free;
+  // Looking along the slope's normal.
+  view.camera.eye = at + Vec3{0.0, 110.0, 46.0};
+  view.camera.target = at;
+  const auto shown = [&](const std::shared_ptr<const Preset>& preset) {
+    view.presets[1] = preset;
+    return draw(made.recording, 4.0, view);
+  };
+  const Image bare = shown(still(Form::streak, 0.0, {})), burnt = shown(still(Form::scorch, 30.0, {0.05, 0.04, 0.04})), ring = shown(still(Form::shock, 40.0, {1.0, 1.0, 1.0}));
+  EXPECT_LT(brightness(burnt.pixel(240, 135)), 0.6 * brightness(bare.pixel(240, 135)));
+  // A camera that looks at the patch head on sees it round: the ground was followed.
+  int across = 0, along = 0;
+  for (int k = -110; k <= 110; ++k) {
+    across += brightness(burnt.pixel(240 + k, 135)) < 0.85 * brightness(bare.pixel(240 + k, 135));
+    along += brightness(burnt.pixel(240, 135 + k)) < 0.85 * brightness(bare.pixel(240, 135 + k));
+  }
+  EXPECT_GT(across, 30);
+  EXPECT_NEAR(along, across, 0.45 * across);
+  int bright = 0, right = 0;
+  for (int k = 5; k < 200; ++k)
+    if (brightness(ring.pixel(240 + k, 135)) > brightness(bare.pixel(240 + k, 135)) + 8) ++bright, right = k;
+  EXPECT_GT(bright, 1);
+  EXPECT_GT(right, 30);
+  EXPECT_NEAR(brightness(ring.pixel(240, 135)), brightness(bare.pixel(240, 135)), 3) << "its middle stays as it is";
+}
+
+TEST_F(Missions, TheSeaDoesNotBurn) {
+  TerrainSource source;
+  source.kind = TerrainKind::function;
+  source.expression = "slope";
+  source.params = {{"from", 1900.0}, {"to", 2100.0}, {"low", -30.0}, {"high", 30.0}};
+  test::HandRecording made(test::terrainOf(source, 4000.0));
+  made.burst({1500.0, made.recording.terrain.surface(1500.0, 2000.0), 2000.0}, 3.0, "classic_1993");
+  MissionView view = fromAbove({1500.0, 0.0, 2000.0}, 120.0);
+  view.overlays = {};
+  view.overlays.scorch = false;
+  view.presets[1] = still(Form::streak, 0.0, {});
+  const Image bare = draw(made.recording, 4.0, view);
+  view.presets[1] = still(Form::scorch, 30.0, {0.05, 0.04, 0.04});
+  EXPECT_EQ(draw(made.recording, 4.0, view).rgba, bare.rgba);
+}
+
 /// Pixels that differ, with their mean place.
 struct Difference {
   int count = 0;
