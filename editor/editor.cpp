@@ -43,6 +43,18 @@ class RendererPictures final : public Pictures {
     return id(renderer_.drawToTexture(scene, width, height, 1));
   }
 
+  ImTextureID other(const Session& session, const Preset& preset, const Explosion& explosion, const Frame& frame, int which, int width, int height) override {
+    if (!enabled) return nullptr;
+    constexpr int kFirstSlot = 4;
+    render::Scene beside;
+    beside.frame = &frame;
+    beside.layers = explosion.layers();
+    beside.ground_height_m = preset.ground_height_m;
+    beside.ground_colour = preset.ground_colour;
+    beside.sky = preset.sky;
+    return id(renderer_.drawToTexture(beside, session.camera, width, height, kFirstSlot + which));
+  }
+
   ImTextureID mission(const MissionSession& session, int width, int height) override {
     const Recording* recording = session.recording();
     if (!enabled || recording == nullptr || !prepare(session)) return nullptr;

@@ -21,6 +21,7 @@ void addExplosion(const Session& session, Facts& out) {
   const Document& document = session.document;
   const render::Camera& camera = session.camera;
   const FrameFigures figures = figuresOf(session.frame());
+  constexpr const char* kComparing[] = {"off", "split", "flip"};
   constexpr const char* kViews[] = {"splines", "polygons", "surface"};
   out.insert(out.end(), {
       {"eye.x", shortest(camera.eye.x)}, {"eye.y", shortest(camera.eye.y)}, {"eye.z", shortest(camera.eye.z)},
@@ -37,6 +38,9 @@ void addExplosion(const Session& session, Facts& out) {
       {"mark.contact", session.design.moments.first_contact_s ? shortest(*session.design.moments.first_contact_s) : ""},
       {"mark.death", session.design.moments.last_death_s ? shortest(*session.design.moments.last_death_s) : ""},
       {"fastest", shortest(figures.fastest_mps)}, {"energy", shortest(figures.energy_Jpkg)},
+      {"compare", kComparing[static_cast<int>(session.compare.mode)]}, {"compare.name", session.compare.name}, {"compare.split", shortest(session.compare.split)},
+      {"compare.flipped", yes(session.compare.flipped)}, {"compare.alive", std::to_string(figuresOf(session.compare.frame).alive)},
+      {"variations", yes(session.variations.open)},
       {"locked", std::to_string(session.design.locked.size())}, {"vary.amount", shortest(session.design.amount)}, {"solo", std::to_string(session.design.solo.size())},
       {"template.view", kViews[static_cast<int>(session.template_view)]},
       {"template.yaw", shortest(session.template_yaw_rad)}, {"template.pitch", shortest(session.template_pitch_rad)},

@@ -2,6 +2,7 @@
 
 #include "editor/layout_parts.h"
 #include "editor/panels/desk/sheets.h"
+#include "editor/panels/compare_view.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ void drawRight(const PanelContext& ui, ImVec2 at, ImVec2 size) {
 void drawMiddle(const PanelContext& ui, ImVec2 at, ImVec2 size) {
   panel(ui, "middle", at, size, [](const PanelContext& inner) {
     drawNotices(inner);
-    drawViewport(inner);
+    if (inner.session.variations.open) drawVariations(inner);
+    else drawViewport(inner);
   }, 0.0f);
 }
 

@@ -73,7 +73,7 @@ struct Renderer::Impl {
   std::optional<SurfacePass> surfaces;
   TileMask mask;
   TileMesh tiles;
-  std::array<Slot, 4> slots;
+  std::array<Slot, kPictureSlots> slots;
 
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   /// What lies on the ground: burnt patches, shadows, light, blast fronts.

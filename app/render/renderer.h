@@ -55,6 +55,9 @@ struct TemplateScene {
   double scale = 1.0;                      ///< factor on the widths of lines and dots, for pictures with finer pixels
 };
 
+/// Textures that a renderer keeps apart.
+inline constexpr int kPictureSlots = 16;
+
 /// Draws scenes into framebuffer objects of its own, with GL 3.3 core only. One instance per context; all calls on the
 /// context's thread with the context current. The same code serves windows and headless rendering.
 class Renderer {
@@ -64,7 +67,7 @@ class Renderer {
   ~Renderer();
 
   /// Draws into an internal texture of the given size (pixels) and returns its GL name, RGBA8 sRGB-coded, origin at the
-  /// lower left, valid until the next call with the same `slot` (0..3). Error kind graphics for a size over the limit.
+  /// lower left, valid until the next call with the same `slot` (below kPictureSlots). Error kind graphics for a size over the limit.
   Expected<unsigned> drawToTexture(const Scene& scene, const Camera& camera, int width, int height, int slot = 0);
   Expected<unsigned> drawToTexture(const TemplateScene& scene, int width, int height, int slot = 1);
 

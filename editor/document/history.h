@@ -61,6 +61,9 @@ class BasicHistory {
     return out;
   }
 
+  /// The state that `back` undos lead to, 1 to undoSteps(), without going there.
+  const State& undoState(std::size_t back) const { return undo_[undo_.size() - back].state; }
+
   /// The state to go back (forward) to, `now` being kept for the way back. Only if canUndo() (canRedo()).
   State undo(State now) { return step(undo_, redo_, std::move(now)); }
   State redo(State now) { return step(redo_, undo_, std::move(now)); }

@@ -52,7 +52,7 @@ void Session::update(double elapsed_s) {
   mission_->update(elapsed_s, notices);
 }
 
-bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling() || design.ease.moving(); }
+bool Session::moving() const { return inMission() ? mission_->clock.playing || mission_->simulating() : playback.playing || compiling() || design.ease.moving() || compare.shelf.busy() || variations.shelf.busy(); }
 
 void Session::updateExplosion(double elapsed_s) {
   if (requested_revision_ != document.revision()) {
@@ -61,6 +61,7 @@ void Session::updateExplosion(double elapsed_s) {
   }
   takeCompiled();
   playback.advance(elapsed_s);
+  updateCompared();
   design.ease.update(document.snapshot(), document.hasLayer() ? document.selected() : -1, elapsed_s, scripted());
   if (!explosion_) return;
   const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;

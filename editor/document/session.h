@@ -2,6 +2,7 @@
 
 #include "app/render/camera.h"
 #include "app/render/renderer.h"
+#include "editor/document/compare.h"
 #include "editor/document/compiler.h"
 #include "editor/document/design.h"
 #include "editor/document/document.h"
@@ -88,6 +89,8 @@ class Session {
   render::TemplateView template_view = render::TemplateView::surface;
   double template_yaw_rad = 0.6, template_pitch_rad = 0.35;
   Design design;
+  Compare compare;
+  Variations variations;
   FilePanel files;
   Notices notices;
 
@@ -156,6 +159,16 @@ class Session {
 
   const std::vector<LibraryEntry>& presets() const { return library_; }
 
+  /// Presets to compare with; comparing begins where nothing was compared.
+  void keepForComparing();
+  void compareWithUndo(std::size_t back);  ///< the state that `back` undos lead to
+  void compareWithFile(const std::filesystem::path& path);
+  /// A is edited from now on, and B kept to compare with. One undo step.
+  void swapCompared();
+  /// Nine neighbours of the preset, or nine others.
+  void showVariations();
+  void adoptVariation(std::size_t index);
+
   /// "name *" as the window's title shows it.
   std::string title() const;
   /// The mode's document, whichever it is.
@@ -164,6 +177,9 @@ class Session {
 
  private:
   void begin(Intent intent, std::filesystem::path path = {});
+  void updateCompared();
+  void compareWith(std::shared_ptr<const Preset> preset, std::string name);
+  void gatherVariations();
   std::optional<WorkMode> endangered() const;
   void goOn();
   void proceed();
@@ -187,6 +203,7 @@ class Session {
   std::pair<std::shared_ptr<const Preset>, int> probed_{nullptr, -1};  ///< what the probe is of
   Frame launch_;
   std::uint64_t requested_revision_ = 0;
+  std::pair<std::uint64_t, double> varied_{0, 0.0};  ///< revision and amount that the variations are of
   bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not
   double aspect_ = 1.6;
   Extent framed_extent_;

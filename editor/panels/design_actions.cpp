@@ -28,6 +28,28 @@ bool isOn(Ui ui) {
   return ui.session.design.*member;
 }
 
+/// Compares so, or no longer. Where there is nothing to compare with yet, the state before the last edit is taken.
+void compareAs(Ui ui, Compare::Mode mode) {
+  Compare& compare = ui.session.compare;
+  if (compare.mode == mode) {
+    compare.mode = Compare::Mode::off;
+    return;
+  }
+  if (compare.preset == nullptr && ui.session.document.history().canUndo()) ui.session.compareWithUndo(1);
+  if (compare.preset == nullptr) ui.session.keepForComparing();
+  compare.mode = mode;
+}
+
+void flip(Ui ui) {
+  Compare& compare = ui.session.compare;
+  if (compare.mode != Compare::Mode::flip) {
+    compareAs(ui, Compare::Mode::flip);
+    compare.flipped = true;
+  } else {
+    compare.flipped = !compare.flipped;
+  }
+}
+
 /// To the next mark of the time line, or the one before.
 void goToMark(Ui ui, int by) {
   Playback& playback = ui.session.playback;
@@ -64,6 +86,14 @@ const std::array kActions{
     Action{"Time", "Trails", "T", toggle<&Design::show_trails>, nullptr, isOn<&Design::show_trails>, false, kExplosion},
     Action{"Time", "Speed arrows", "V", toggle<&Design::show_speed>, nullptr, isOn<&Design::show_speed>, false, kExplosion},
     Action{"Time", "Figures", "K", toggle<&Design::show_figures>, nullptr, isOn<&Design::show_figures>, false, kExplosion},
+    Action{"Design", "Variations", "shift+V", [](Ui ui) {
+             if (ui.session.variations.open) ui.session.variations.open = false;
+             else ui.session.showVariations();
+           }, hasLayer, [](Ui ui) { return ui.session.variations.open; }, false, kExplosion},
+    Action{"Design", "Keep state as A", "shift+C", [](Ui ui) { ui.session.keepForComparing(); }, nullptr, nullptr, true, kExplosion},
+    Action{"Design", "Compare A and B", "C", [](Ui ui) { compareAs(ui, Compare::Mode::split); }, nullptr, [](Ui ui) { return ui.session.compare.mode == Compare::Mode::split; }, false, kExplosion},
+    Action{"Design", "Flip A and B", "X", flip, nullptr, [](Ui ui) { return ui.session.compare.mode == Compare::Mode::flip && ui.session.compare.flipped; }, false, kExplosion},
+    Action{"Design", "Swap A and B", "shift+X", [](Ui ui) { ui.session.swapCompared(); }, [](Ui ui) { return ui.session.compare.preset != nullptr; }, nullptr, false, kExplosion},
     Action{"Design", "Unlock all parameters", "", [](Ui ui) { ui.session.design.locked.clear(); }, [](Ui ui) { return !ui.session.design.locked.empty(); }, nullptr, false, kExplosion},
 };
 

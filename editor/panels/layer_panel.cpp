@@ -217,7 +217,9 @@ void drawLayerPanel(const PanelContext& ui) {
   if (ui.state.rename_layer && document.hasLayer()) beginTyping(ui, "layer name", document.layer().name);
   ui.state.rename_layer = false;
   const auto lines = tree(document.preset());
-  const float shown = static_cast<float>(std::clamp<std::size_t>(lines.size(), 1, 7));
+  // A tall window has room for more lines.
+  const auto most = std::max<std::size_t>(7, static_cast<std::size_t>(0.28f * ImGui::GetIO().DisplaySize.y / ui.px(26)));
+  const float shown = static_cast<float>(std::clamp<std::size_t>(lines.size(), 1, most));
   ImGui::BeginChild("layers", ImVec2(0, shown * ui.px(26) + ui.px(8)), false, ImGuiWindowFlags_NoBackground);
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   if (lines.empty()) ImGui::TextDisabled("No layers. The plus adds one.");

@@ -132,7 +132,7 @@ void drawFigures(const PanelContext& ui, const Box& box, const FrameFigures& fig
   if (figures.alive == 0) lines.resize(1);
   if (ui.frame_ms) lines.push_back({"frame", figure(static_cast<double>(*ui.frame_ms)) + " ms"});
   const float width = std::min(ui.px(206), box.width - ui.px(28)), row = ui.px(18), height = row * static_cast<float>(lines.size()) + ui.px(10);
-  const ImVec2 at{box.right() - width - ui.px(14), box.at.y + ui.px(46)};
+  const ImVec2 at{box.right() - width - ui.px(14), box.at.y + ui.px(ui.session.compare.on() ? 84.0f : 46.0f)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + width, at.y + height}, faded(ui.theme.background, 0.82f), ui.px(4));
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -168,15 +168,16 @@ void drawSwitches(const PanelContext& ui, const Box& box) {
   }
 }
 
-}  // namespace
-
-void drawTimeOverlays(const PanelContext& ui, const Box& box) {
+void drawMoment(const PanelContext& ui, const Box& box) {
   const Design& design = ui.session.design;
-  drawSwitches(ui, box);
   if (ui.session.explosion() == nullptr || ui.session.explosion()->particleCount() == 0) return;
+  // What is drawn belongs to the edited preset: A has none of it.
+  const Compare& compare = ui.session.compare;
+  if (compare.on() && compare.mode == Compare::Mode::flip && compare.flipped) return;
+  const float left = compare.on() && compare.mode == Compare::Mode::split ? box.at.x + static_cast<float>(compare.split) * box.width : box.at.x;
   const Projection project(ui.session.camera, box);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(box.at, box.end(), true);
+  list.PushClipRect({left, box.at.y}, box.end(), true);
   if (design.show_trails) drawTrails(ui, project);
   if (design.show_onion) drawOnionSkin(ui, project);
   if (design.show_speed || design.show_figures) {
@@ -185,6 +186,13 @@ void drawTimeOverlays(const PanelContext& ui, const Box& box) {
     if (design.show_figures) drawFigures(ui, box, figures);
   }
   list.PopClipRect();
+}
+
+}  // namespace
+
+void drawTimeOverlays(const PanelContext& ui, const Box& box) {
+  drawMoment(ui, box);
+  drawSwitches(ui, box);  // over the arrows
 }
 
 }  // namespace npsee::editor

@@ -42,10 +42,10 @@ void drawVaryStrip(const PanelContext& ui) {
   Design& design = ui.session.design;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(28), button = ui.px(26);
-  ImGui::InvisibleButton("row:vary.amount", ImVec2(ui.px(64), height));
+  ImGui::InvisibleButton("row:vary.amount", ImVec2(ui.px(80), height));
   ui.resting("row:vary.amount", "How far randomising (R) may go from what is there; a row's lock keeps it out.");
-  rowText({at.x, at.y}, ui.px(64), height, ui.theme.dim, "Randomise");
-  const float left = at.x + ui.px(78), right = at.x + width - 2.0f * button - ui.px(4);
+  rowText({at.x, at.y}, ui.px(80), height, ui.theme.dim, "Randomise");
+  const float left = at.x + ui.px(88), right = at.x + width - 2.0f * button - ui.px(4);
   const NumberSpec spec{100.0 * design.amount, {1.0, 100.0}, {1.0, 100.0}, Scale::linear, true, false};
   if (typingIn(ui, "vary.amount")) {
     if (const auto typed = typedNumber(ui, "vary.amount", {{left, at.y}, right - left, height}, Unit::none)) {

@@ -1,6 +1,7 @@
 #include "editor/document/camera_moves.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/time_overlays.h"
+#include "editor/panels/compare_view.h"
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
 
@@ -86,6 +87,7 @@ void drawViewport(const PanelContext& ui) {
   list.AddRectFilled(box.at, box.end(), ui.theme.background);
   if (const ImTextureID texture = ui.pictures.explosion(ui.session, static_cast<int>(box.width), static_cast<int>(box.height)))
     list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
+  drawCompare(ui, box);
   drawOverlays(ui, box);
   drawTimeOverlays(ui, box);
 }

@@ -25,6 +25,8 @@ class Pictures {
   /// Texture of the explosion (template) drawn at that size in pixels, origin lower left; null when nothing was drawn.
   virtual ImTextureID explosion(const Session& session, int width, int height) = 0;
   virtual ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) = 0;
+  /// Another explosion through the session's camera; `which` (0 to 9) keeps such textures apart. Its frame holds render::kSceneFields.
+  virtual ImTextureID other(const Session& session, const Preset& preset, const Explosion& explosion, const Frame& frame, int which, int width, int height) = 0;
   /// The mission at the moment shown, as its camera sees it; and where its things stand in that picture. Null and empty before there
   /// is a recording.
   virtual ImTextureID mission(const MissionSession& session, int width, int height) = 0;

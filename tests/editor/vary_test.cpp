@@ -1,5 +1,6 @@
 #include "editor/document/design.h"
 #include "editor/document/life_presets.h"
+#include "editor/document/session.h"
 #include "editor/document/vary.h"
 #include "tests/editor/editor_script.h"
 
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace npsee::editor {
 namespace {
@@ -218,6 +221,130 @@ rightclick section:Launch
 click "item:Randomise Launch"
 expect undo = 3
 )");
+}
+
+SessionOptions patient() { return {.library = {}, .wait_for_compile = true}; }
+
+void setSpeed(Session& session, double speed) { ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, "speed_mean"), speed).has_value()); }
+
+TEST(Compare, ShowsTheKeptStateAtTheSameTimeWhileTheOtherIsEdited) {
+  Session session(patient());
+  session.playback.playing = false;
+  session.update(0.0);
+  session.playback.seek(0.8);
+  session.keepForComparing();
+  session.update(0.0);
+  ASSERT_NE(session.compare.explosion(), nullptr);
+  const auto heights = [](const Frame& frame) { return std::vector<float>(frame.y.begin(), frame.y.begin() + static_cast<std::ptrdiff_t>(frame.count)); };
+  EXPECT_EQ(heights(session.compare.frame), heights(session.frame()));
+  const std::vector<float> before = heights(session.compare.frame);
+  setSpeed(session, 70.0);
+  session.update(0.0);
+  EXPECT_EQ(heights(session.compare.frame), before);
+  EXPECT_NE(heights(session.frame()), before);
+  session.playback.seek(1.2);
+  session.update(0.0);
+  EXPECT_EQ(session.compare.frame.time_s, session.frame().time_s);
+}
+
+TEST(Compare, UndoStatesAreReachedWithoutUndoing) {
+  Session session(patient());
+  session.update(0.0);
+  const double first = session.document.layer().speed_mean_mps;
+  setSpeed(session, 50.0);
+  setSpeed(session, 80.0);
+  session.compareWithUndo(2);
+  EXPECT_EQ(session.compare.preset->layers[0].speed_mean_mps, first);
+  session.compareWithUndo(1);
+  EXPECT_EQ(session.compare.preset->layers[0].speed_mean_mps, 50.0);
+  EXPECT_EQ(session.document.history().undoSteps(), 2u);
+  const auto kept = session.compare.preset;
+  session.compareWithUndo(3);
+  EXPECT_EQ(session.compare.preset, kept) << "there is no such state";
+}
+
+TEST(Compare, SwappingIsOneUndoStepAndSwapsBack) {
+  Session session(patient());
+  session.keepForComparing();
+  setSpeed(session, 50.0);
+  session.swapCompared();
+  EXPECT_EQ(session.compare.preset->layers[0].speed_mean_mps, 50.0);
+  EXPECT_NE(session.document.layer().speed_mean_mps, 50.0);
+  EXPECT_EQ(session.document.history().undoLabel(), "Swap A and B");
+  session.swapCompared();
+  EXPECT_EQ(session.document.layer().speed_mean_mps, 50.0);
+}
+
+TEST(Compare, AFileThatCannotBeReadIsAMessage) {
+  Session session(patient());
+  session.compareWithFile("/no/such/preset.npsee.json");
+  EXPECT_FALSE(session.notices.error.empty());
+  EXPECT_FALSE(session.compare.on());
+}
+
+TEST(Variations, AreNineDifferentNeighboursOfWhichAnyIsAdoptedInOneStep) {
+  Session session(patient());
+  session.update(0.0);
+  session.showVariations();
+  session.update(0.0);
+  ASSERT_TRUE(session.variations.open);
+  std::set<double> speeds;
+  for (std::size_t i = 0; i < Variations::kCount; ++i) {
+    ASSERT_NE(session.variations.shelf.at(i), nullptr) << i;
+    speeds.insert(session.variations.presets[i]->layers[0].speed_mean_mps);
+  }
+  EXPECT_GE(speeds.size(), 6u) << "three digits may fall together";
+  EXPECT_EQ(*session.variations.presets[Variations::kMiddle], session.document.preset());
+  const Preset chosen = *session.variations.presets[2], before = session.document.preset();
+  session.adoptVariation(2);
+  EXPECT_EQ(session.document.preset(), chosen);
+  session.update(0.0);
+  EXPECT_EQ(*session.variations.presets[Variations::kMiddle], chosen) << "the grid follows";
+  EXPECT_EQ(session.document.history().undoSteps(), 1u);
+  session.undo();
+  EXPECT_EQ(session.document.preset(), before);
+}
+
+TEST(Variations, FollowTheAmountAndTheLocks) {
+  Session session(patient());
+  session.update(0.0);
+  session.design.locked = {"fragments.speed_mean"};
+  session.showVariations();
+  const auto first = session.variations.presets[0];
+  EXPECT_EQ(first->layers[0].speed_mean_mps, session.document.layer().speed_mean_mps);
+  session.design.amount = 0.8;
+  session.update(0.0);
+  EXPECT_NE(*session.variations.presets[0], *first);
+}
+
+TEST(Variations, TooManyParticlesAreRefusedWithAReason) {
+  Session session(patient());
+  ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, "count"), std::int64_t{50'000}).has_value());
+  session.update(0.0);
+  session.showVariations();
+  EXPECT_FALSE(session.variations.open);
+  EXPECT_NE(session.notices.error.find("50000 particles"), std::string::npos) << session.notices.error;
+}
+
+TEST(Shelf, ANewSetReplacesTheOneUnderWayAndABadPresetLeavesAGap) {
+  auto good = std::make_shared<Preset>();
+  good->layers.emplace_back();
+  auto bad = std::make_shared<Preset>(*good);
+  bad->layers[0].speed_mean_mps = -1.0;
+  Shelf shelf;
+  shelf.poll(true);
+  EXPECT_EQ(shelf.at(0), nullptr);
+  for (int i = 0; i < 50; ++i) {
+    auto other = std::make_shared<Preset>(*good);
+    other->seed = i;
+    shelf.request({other, other, other});
+  }
+  shelf.request({good, bad});
+  shelf.poll(true);
+  EXPECT_NE(shelf.at(0), nullptr);
+  EXPECT_EQ(shelf.at(1), nullptr);
+  EXPECT_EQ(shelf.at(2), nullptr);
+  EXPECT_FALSE(shelf.busy());
 }
 
 }  // namespace

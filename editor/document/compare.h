@@ -1,0 +1,43 @@
+#pragma once
+
+#include "editor/document/shelf.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace npsee::editor {
+
+/// Another preset, A, beside the edited one, B: at the same time, from the same camera.
+struct Compare {
+  enum class Mode { off, split, flip };
+  Mode mode = Mode::off;
+  std::shared_ptr<const Preset> preset;  ///< A
+  std::string name;                      ///< what A is, for people
+  double split = 0.5;                    ///< share of the picture's width that shows A
+  bool flipped = false;                  ///< Mode::flip shows A
+
+  Shelf shelf;
+  Frame frame;  ///< A at the moment shown
+  const std::shared_ptr<const Explosion>& explosion() const { return shelf.at(0); }
+  bool on() const { return mode != Mode::off && preset != nullptr; }
+
+  /// Lets time pass: compiles A where that is new and evaluates it at `time_s`.
+  void update(double time_s, bool wait);
+};
+
+/// Nine neighbours: the edited preset in the middle, variations of it around.
+struct Variations {
+  static constexpr std::size_t kCount = 9, kMiddle = 4;
+  /// Above so many particles nine at once would be too much.
+  static constexpr std::size_t kMostParticles = 40'000;
+  bool open = false;
+  std::array<std::shared_ptr<const Preset>, kCount> presets;
+  Shelf shelf;
+  std::array<Frame, kCount> frames;
+
+  void update(double time_s, bool wait);
+};
+
+}  // namespace npsee::editor
