@@ -3,6 +3,7 @@
 #include "lift.glsl"
 #include "clip.glsl"
 #include "glow.glsl"
+#include "heat.glsl"
 // One particle per instance, structure of arrays: every quantity is an attribute of its own.
 layout(location = 0) in float a_x;     // world m
 layout(location = 1) in float a_y;
@@ -18,6 +19,7 @@ layout(location = 10) in float a_qz;
 layout(location = 11) in float a_qw;
 layout(location = 12) in vec3 a_position;  // mesh, body at size 1
 layout(location = 13) in vec3 a_normal;    // mesh, body
+layout(location = 14) in float a_temperature;  // K
 layout(location = 15) in vec3 a_velocity;  // world m/s; only where surfaces are drawn
 
 uniform mat4 u_view_projection;  // world to clip
@@ -42,7 +44,7 @@ void main() {
   vec3 place = centre + size * rotated(q, a_position);
   if (u_two_sided > 0.5 && dot(normal, u_eye - place) < 0.0) normal = -normal;
   vec3 albedo = linearFromSrgb(vec3(a_r, a_g, a_b));
-  vec3 light = dimmed(litDiffuse(albedo, normal)) + albedo * glowLight(centre, normal);
+  vec3 light = dimmed(litDiffuse(albedo, normal)) + albedo * glowLight(centre, normal) + emittedLight(a_temperature);
   light = mix(u_haze_colour, light, clearTo(distance(centre, u_eye)));
   v_flat = vec4(light * a_a, a_a);
   v_smooth = v_flat;

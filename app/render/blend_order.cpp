@@ -1,5 +1,6 @@
 #include "app/render/blend_order.h"
 
+#include "app/render/heat.h"
 #include "app/render/meshes.h"
 #include "app/render/solid_pass.h"
 
@@ -20,14 +21,23 @@ float kindOf(Form form) {
 /// 0..1 from a particle's index, for the turn of its puff (golden-ratio sequence: neighbours differ).
 float ownNumber(std::uint32_t index) { return static_cast<float>((index * 2654435769u) >> 8) * (1.0f / 16777216.0f); }
 
-BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in_layer, Form form) {
+BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in_layer, const LayerSpan& layer) {
+  const Form form = layer.form;
+  const double temperature = frame.age.size() > i ? temperatureAt(layer, static_cast<double>(frame.age[i])) : 0.0;
   BlendedInstance out{frame.x[i], frame.y[i], frame.z[i], frame.size[i], frame.r[i], frame.g[i], frame.b[i], frame.a[i], {0.0f, 0.0f, 0.0f, 1.0f}, kindOf(form), {}};
   if (!isSoft(form)) {
     if (frame.qw.size() > i) {
       const float q[4] = {frame.qx[i], frame.qy[i], frame.qz[i], frame.qw[i]};
       std::copy(q, q + 4, out.p);
     }
+    out.kind = static_cast<float>(temperature);
     return out;
+  }
+  if (temperature > 0.0) {
+    const Colour hot = hotColour({static_cast<double>(out.r), static_cast<double>(out.g), static_cast<double>(out.b)}, temperature);
+    out.r = static_cast<float>(hot.r);
+    out.g = static_cast<float>(hot.g);
+    out.b = static_cast<float>(hot.b);
   }
   const bool moving = frame.vx.size() > i;
   out.p[0] = moving ? frame.vx[i] : 0.0f;
@@ -61,7 +71,7 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     const bool joins = !runs_.empty() && (runs_.back().form == layer.form || (isSoft(runs_.back().form) && isSoft(layer.form)));
     if (!joins) runs_.push_back({layer.form, instances_.size(), 0});
     ++runs_.back().count;
-    instances_.push_back(instanceOf(frame, entry.index, entry.index - static_cast<std::uint32_t>(layer.first), layer.form));
+    instances_.push_back(instanceOf(frame, entry.index, entry.index - static_cast<std::uint32_t>(layer.first), layer));
     BlendedInstance& instance = instances_.back();
     if (shade != nullptr && layer.form == Form::smoke) instance.light = shade->at({static_cast<double>(instance.x), static_cast<double>(instance.y), static_cast<double>(instance.z)}, 0.5 * static_cast<double>(instance.size));
   }

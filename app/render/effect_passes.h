@@ -22,7 +22,7 @@ class EffectPasses {
   static Expected<EffectPasses> create();
 
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
-  void upload(const Frame& frame) { frame_.upload(frame); }
+  void upload(const Frame& frame, std::span<const LayerSpan> layers) { frame_.upload(frame, layers); }
   /// Burnt ground, which belongs to the ground: before everything else.
   Expected<void> drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);

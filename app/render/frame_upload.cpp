@@ -1,6 +1,7 @@
 #include "app/render/frame_upload.h"
 
 #include "app/gl/vertices.h"
+#include "app/render/heat.h"
 
 #include <array>
 #include <cstddef>
@@ -12,7 +13,7 @@ constexpr std::size_t kSections = 12;
 
 }  // namespace
 
-void FrameUpload::upload(const Frame& frame) {
+void FrameUpload::upload(const Frame& frame, std::span<const LayerSpan> layers) {
   if (!buffer_) buffer_ = gl::Buffer::make();
   count_ = frame.count;
   const std::array<const std::vector<float>*, kSections> arrays{&frame.x, &frame.y, &frame.z, &frame.size, &frame.r, &frame.g,
@@ -23,6 +24,10 @@ void FrameUpload::upload(const Frame& frame) {
   for (std::size_t section = 0; section < kSections; ++section)
     if (arrays[section]->size() >= count_)
       glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(section * bytes), static_cast<GLsizeiptr>(bytes), arrays[section]->data());
+  temperaturesOf(frame, layers, temperatures_);
+  if (temperatures_.empty()) return;
+  if (!heat_) heat_ = gl::Buffer::make();
+  gl::upload(GL_ARRAY_BUFFER, heat_, temperatures_, GL_STREAM_DRAW);
 }
 
 void FrameUpload::bind(std::size_t first, bool with_orientation, std::size_t every) const {
@@ -30,6 +35,15 @@ void FrameUpload::bind(std::size_t first, bool with_orientation, std::size_t eve
   const std::size_t sections = with_orientation ? kSections : std::size_t{kQx};
   for (std::size_t section = 0; section < sections; ++section)
     gl::attribute(static_cast<unsigned>(section), 1, every * sizeof(float), (section * count_ + first) * sizeof(float), 1);
+  if (!with_orientation) return;
+  if (temperatures_.empty()) {
+    // A vertex array keeps what an earlier frame needed.
+    glDisableVertexAttribArray(kTemperature);
+    glVertexAttrib1f(kTemperature, 0.0f);
+    return;
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, heat_.name());
+  gl::attribute(kTemperature, 1, every * sizeof(float), first * sizeof(float), 1);
 }
 
 void FrameUpload::uploadVelocities(const Frame& frame) {

@@ -12,16 +12,16 @@
 namespace npsee::render {
 
 /// Attribute locations shared by the particle shaders; those of a particle are one float each, but for the velocity.
-enum Attribute : unsigned { kX, kY, kZ, kSize, kR, kG, kB, kA, kQx, kQy, kQz, kQw, kMeshPosition, kMeshNormal, kKind, kVelocityVector };
+enum Attribute : unsigned { kX, kY, kZ, kSize, kR, kG, kB, kA, kQx, kQy, kQz, kQw, kMeshPosition, kMeshNormal, kKind, kVelocityVector, kTemperature = kKind };
 
 /// A frame's arrays in one GL buffer, section after section, as they come from the simulator. The buffer is orphaned for
 /// every frame, so that the driver need not wait for the last one.
 class FrameUpload {
  public:
-  void upload(const Frame& frame);
+  void upload(const Frame& frame, std::span<const LayerSpan> layers);
 
   /// Points the bound vertex array's instance attributes at the particles from `first` on. Position, size, colour and
-  /// opacity always; the orientation if `with_orientation`. Only every `every`-th particle is bound.
+  /// opacity always; temperature and the orientation if `with_orientation`. Only every `every`-th particle is bound.
   void bind(std::size_t first, bool with_orientation, std::size_t every = 1) const;
 
   /// Hands over the velocities of the frame uploaded, and points the bound vertex array at them.
@@ -29,7 +29,8 @@ class FrameUpload {
   void bindVelocities(std::size_t first) const;
 
  private:
-  gl::Buffer buffer_, velocities_;
+  gl::Buffer buffer_, velocities_, heat_;
+  std::vector<float> temperatures_;  // K; empty where nothing is hot
   std::size_t count_ = 0;
 };
 
@@ -38,7 +39,7 @@ struct BlendedInstance {
   float x, y, z, size;
   float r, g, b, a;
   float p[4];  ///< solid forms: quaternion; soft forms: velocity and the particle's own number 0..1
-  float kind;  ///< soft forms: 0 streak, 1 smoke, 2 fire, 3 flash
+  float kind;  ///< soft forms: 0 streak, 1 smoke, 2 fire, 3 flash; solid ones: temperature, K
   PuffLight light;  ///< of smoke
 };
 

@@ -1,5 +1,7 @@
 #include "app/render/glow.h"
 
+#include "app/render/heat.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +12,7 @@ namespace {
 double brightness(Form form) { return form == Form::flash ? 7.0 : form == Form::fire ? 2.2 : 0.0; }
 
 /// As linearFromSrgb of shaders/common.glsl.
-double linear(float coded) {
-  const double c = static_cast<double>(coded);
+double linear(double c) {
   return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
 }
 
@@ -36,7 +37,9 @@ Glow glowOf(const Frame& frame, std::span<const LayerSpan> layers) {
       weight += area;
       moment = moment + area * place;
       spread += area * dot(place, place);
-      light = light + (area * bright) * Vec3{linear(frame.r[i]), linear(frame.g[i]), linear(frame.b[i])};
+      Colour colour{static_cast<double>(frame.r[i]), static_cast<double>(frame.g[i]), static_cast<double>(frame.b[i])};
+      if (layer.temperature_k > 0.0 && frame.age.size() > i) colour = hotColour(colour, temperatureAt(layer, static_cast<double>(frame.age[i])));
+      light = light + (area * bright) * Vec3{linear(colour.r), linear(colour.g), linear(colour.b)};
       largest_m = std::max(largest_m, radius);
     }
   }

@@ -3,6 +3,7 @@
 #include "app/render/meshes.h"
 #include "app/render/mission_scene.h"
 #include "app/render/mission_smoke.h"
+#include "app/render/renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,7 @@ void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shel
   drawn.origin = shell.burst_m;
   drawn.layers = explosion->layers();
   drawn.depth_m = -dot(eye.lens.back, centre - eye.lens.eye);
-  explosion->at(age, drawn.frame, kVelocity | kLook | kOrientation, view.threads);
+  explosion->at(age, drawn.frame, kSceneFields, view.threads);
   // Pieces of a layer are independent draws, so its first ones are a fair sample of all.
   const double metre_per_pixel = 2.0 * std::tan(0.5 * eye.lens.fov_y_rad) / eye.height * std::max(drawn.depth_m, 1.0);
   const double pieces = kLeastPieces + kPiecesPerPixel * extent.radius_m() / metre_per_pixel;
@@ -146,7 +147,7 @@ void MissionBursts::prepare(const Recording& recording, double time_s, const Mis
 Expected<void> MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye& eye) {
   for (const Drawn& drawn : bursts_) {
     const View view = eye.viewFrom(drawn.origin);
-    effects.upload(drawn.frame);
+    effects.upload(drawn.frame, drawn.layers);
     if (drawn.ground.land && drawn.ground.height_m > -60.0)
       if (auto done = effects.drawScorch(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     if (!light_.night && drawn.ground.height_m > -60.0)
@@ -165,7 +166,7 @@ Expected<void> MissionBursts::drawBlended(EffectPasses& effects, const MissionEy
     const View view = eye.viewFrom(drawn.origin);
     if (auto done = effects.drawBlended(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
     if (!std::ranges::any_of(drawn.layers, [](const LayerSpan& layer) { return layer.form == Form::shock; })) continue;
-    effects.upload(drawn.frame);
+    effects.upload(drawn.frame, drawn.layers);
     if (auto done = effects.drawShockShells(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
   }
   return {};

@@ -127,7 +127,7 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   if (!mask.empty()) {
     if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
     finish.clear(tiles);
-    effects.upload(*scene.frame);
+    effects.upload(*scene.frame, scene.layers);
     if (shadows)
       if (auto drawn = drawOnGround(scene, view, ground, hour.shadows); !drawn) return drawn;
     effects.drawOpaque(*scene.frame, scene.layers, view, ground);
@@ -156,7 +156,7 @@ Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, 
   if (!request.depth && !request.motion) return drawnWithoutError();
   if (auto made = makeOnce(surfaces); !made) return made;
   const Frame* frame = scene.frame != nullptr && scene.frame->count > 0 ? scene.frame : nullptr;
-  if (frame != nullptr) effects.upload(*frame);
+  if (frame != nullptr) effects.upload(*frame, scene.layers);
   const GroundLevel ground = groundOf(scene);
   if (auto drawn = surfaces->run(effects, frame, scene.layers, view, ground, image.width, image.height, request, image); !drawn) return drawn;
   return drawnWithoutError();

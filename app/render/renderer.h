@@ -28,7 +28,7 @@ struct Background {
 };
 
 /// What a frame has to hold to be drawn.
-inline constexpr unsigned kSceneFields = kVelocity | kLook | kOrientation;
+inline constexpr unsigned kSceneFields = kVelocity | kLook | kOrientation | kAge;
 
 /// Everything one picture of an explosion shows. Plain data; the renderer keeps no state from picture to picture.
 struct Scene {

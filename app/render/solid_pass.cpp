@@ -1,6 +1,7 @@
 #include "app/render/solid_pass.h"
 
 #include "app/gl/vertices.h"
+#include "app/render/heat.h"
 
 #include <string>
 
@@ -25,6 +26,8 @@ Expected<SolidPass> SolidPass::create(ParticleOutput output) {
   if (!program) return tl::unexpected<Error>(program.error());
   SolidPass pass;
   pass.program_ = std::move(*program);
+  pass.program_.use();
+  setEmitted(pass.program_);
   return pass;
 }
 

@@ -32,6 +32,7 @@ constexpr std::array kTimes{Spelling{"s", 1.0}, Spelling{"ms", 0.001}, Spelling{
 constexpr std::array kAngles{Spelling{"deg", kDegree}, Spelling{"rad", 1.0}, Spelling{"mil", kTwoPi / 6400.0}, Spelling{"\u00b0", kDegree}};
 constexpr std::array kRates{Spelling{"1/s", 1.0}};
 constexpr std::array kSpins{Spelling{"rev/s", kTwoPi}, Spelling{"rad/s", 1.0}, Spelling{"deg/s", kDegree}, Spelling{"rpm", kTwoPi / 60.0}};
+constexpr std::array kTemperatures{Spelling{"K", 1.0}};
 constexpr std::array kFractions{Spelling{"%", 0.01}};
 
 UnitRow row(Unit unit) {
@@ -47,6 +48,7 @@ UnitRow row(Unit unit) {
     case Unit::per_metre: return {"per m, m2 or m3", 1.0, {}};
     case Unit::revolution_per_second: return {"rev/s", kTwoPi, kSpins};
     case Unit::degree_per_second: return {"deg/s", kDegree, kSpins};
+    case Unit::kelvin: return {"K", 1.0, kTemperatures};
     case Unit::fraction: return {"", 1.0, kFractions};
     case Unit::particle: return {"particles", 1.0, {}};
   }

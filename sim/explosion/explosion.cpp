@@ -150,7 +150,7 @@ Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& pres
     for (Chunk& chunk : layer.chunks) chunk.first += layer.first;
     impl->particles += layer.count;
     impl->duration_s = std::max(impl->duration_s, lastDeath(layer));
-    impl->spans.push_back({layer.name, layer.first, layer.count, layer.form});
+    impl->spans.push_back({layer.name, layer.first, layer.count, layer.form, preset.layers[i].temperature_k, preset.layers[i].cooling_s});
     impl->layers.push_back(std::move(layer));
   }
   return std::shared_ptr<const Explosion>(new Explosion(std::move(impl)));

@@ -26,6 +26,7 @@ Why alongTheGround(const Preset&, const Layer& layer) { return layer.follow_grou
 Why withoutContact(const Preset& preset, const Layer& layer) { return layer.collide ? alongTheGround(preset, layer) : "ground collision is off"; }
 Why offAPath(const Preset&, const Layer& layer) { return layer.parent.empty() || layer.trigger != Trigger::path ? "the layer is not spread along a path" : ""; }
 Why withoutTurbulence(const Preset&, const Layer& layer) { return layer.turbulence_m == 0.0 ? "there is no turbulence" : ""; }
+Why cold(const Preset&, const Layer& layer) { return layer.temperature_k > 0.0 ? "" : "the layer is cold"; }
 Why overLife(const Preset&, const Layer& layer) { return layer.colour_over_life.empty() ? "" : "the colour over life replaces it"; }
 
 void addIdentity(Rows& rows) {
@@ -98,6 +99,8 @@ void addLook(Rows& rows) {
   rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices. A shock is a blast front with its ring on the ground: its size is the diameter at the end of its life, and growth and fading follow the law of a strong shock unless curves over life are given. A scorch is a burnt patch on the ground under the particle.", .section = look}));
   rows.push_back(row(&Layer::colour, Colour{0.82, 0.70, 0.52}, {.key = "colour", .label = "Initial colour", .thesis = "initial colour", .doc = "Colour of the particles, sRGB.", .section = look, .hard = {0, 1}, .idle = overLife}));
   rows.push_back(row(&Layer::colour_variation, 0.15, {.key = "colour_variation", .label = "Colour variation", .thesis = "", .doc = "Largest share by which a particle is brighter or darker than its layer.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
+  rows.push_back(row(&Layer::temperature_k, 0.0, {.key = "temperature", .label = "Temperature", .thesis = "", .doc = "Temperature at birth of what is so hot that it glows, as a black body of it does: fragments from about 1200 K, fire about 1900 K. 0 does not glow.", .section = look, .unit = Unit::kelvin, .hard = {0, 6000}, .slider = {0, 3000}}));
+  rows.push_back(row(&Layer::cooling_s, 1.0, {.key = "cooling", .label = "Cooling", .thesis = "", .doc = "Time after which the temperature has fallen to 63 %, as that of a body does that cools by its radiation.", .section = look, .unit = Unit::second, .hard = {0.01, 600}, .slider = {0.1, 20}, .scale = Scale::logarithmic, .idle = cold}));
   rows.push_back(row(&Layer::opacity, 1.0, {.key = "opacity", .label = "Opacity", .thesis = "", .doc = "Opacity of the particles.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
   rows.push_back(row(&Layer::colour_over_life, Gradient{}, {.key = "colour_over_life", .label = "Colour over life", .thesis = "", .doc = "Stops [fraction of life, colour]; replaces the initial colour. Empty keeps it.", .section = look, .hard = {0, 1}}));
   rows.push_back(row(&Layer::opacity_over_life, Curve{}, {.key = "opacity_over_life", .label = "Opacity over life", .thesis = "", .doc = "Points [fraction of life, factor on the opacity]. Empty is 1 throughout.", .section = look, .hard = {0, 1}}));

@@ -47,6 +47,8 @@ struct LayerSpan {
   std::string name;
   std::size_t first = 0, count = 0;
   Form form{};
+  double temperature_k = 0.0;  ///< at birth; 0 does not glow
+  double cooling_s = 1.0;      ///< time to fall to 63 % of it
 };
 
 /// Box that holds what is drawn over the whole effect, all but strays, with its sizes; for cameras.

@@ -106,6 +106,8 @@ struct Layer {
   Colour colour;
   double colour_variation;
   double opacity;
+  double temperature_k;
+  double cooling_s;
   Gradient colour_over_life;
   Curve opacity_over_life;
   Curve size_over_life;

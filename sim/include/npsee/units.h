@@ -28,6 +28,7 @@ enum class Unit {
   per_metre,
   revolution_per_second,  ///< rad/s inside
   degree_per_second,      ///< rad/s inside
+  kelvin,
   fraction,
   particle,
 };
