@@ -135,7 +135,7 @@ TEST_F(CompareCommand, ASurfaceOrAPassInOnlyOneOfThemIsADifference) {
 }
 
 TEST_F(CompareCommand, AnOpenExrPictureLooksAsItsPngDoes) {
-  test::spill(folder_ / "p.npsee.json", R"({"npsee": 1, "layers": [{"name": "fragments", "count": 60, "size_mean": 1}, {"name": "fire", "count": 9, "form": "fire"}]})");
+  test::spill(folder_ / "p.npsee.json", R"({"npsee": 1, "layers": [{"name": "fragments", "count": 60, "size_mean": 1}, {"name": "smoke", "count": 9, "form": "smoke", "opacity": 0.8}]})");
   for (const char* name : {"p.png", "p.exr"})
     EXPECT_EQ(test::npseeRun({"render", folder_ / "p.npsee.json", "-o", folder_ / name, "--time", "0.3", "--size", "160x90", "--background", "transparent"}).exit_code, 0);
   // One level of rounding to eight bits, and what is left of it in half floats.
