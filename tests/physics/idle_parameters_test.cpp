@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -22,6 +23,7 @@ Preset someLayer(std::mt19937_64& random) {
   layer.collide = random() % 2 == 0;
   layer.follow_ground = random() % 4 == 0;
   if (random() % 3 == 0) layer.turbulence_m = 0.0;
+  if (random() % 3 == 0) layer.temperature_k = 0.0;
   if (random() % 3 == 0) layer.speed_deviation_mps = layer.size_deviation_m = 0.0;
   if (random() % 3 == 0) layer.colour_over_life = {{0.0, {1.0, 0.5, 0.0}}, {1.0, {0.1, 0.1, 0.1}}};
   if (random() % 3 != 0) return preset;
@@ -43,7 +45,13 @@ Value anotherValue(const Parameter& row, const Value& now, std::mt19937_64& rand
   return test::randomValue(row, random);
 }
 
+/// What hot layers glow by, which is not in the frames.
+bool sameHeat(const Explosion& a, const Explosion& b) {
+  return std::ranges::equal(a.layers(), b.layers(), [](const LayerSpan& p, const LayerSpan& q) { return p.temperature_k == q.temperature_k && (p.temperature_k == 0.0 || p.cooling_s == q.cooling_s); });
+}
+
 bool sameFrames(const Explosion& a, const Explosion& b) {
+  if (!sameHeat(a, b)) return false;
   for (const double t : {0.0, 0.3, 1.7}) {
     const ExactFrame p = test::exactAt(a, t), q = test::exactAt(b, t);
     if (p.x != q.x || p.y != q.y || p.z != q.z || p.size != q.size || p.r != q.r || p.g != q.g || p.b != q.b || p.a != q.a || p.alive != q.alive || p.qx != q.qx) return false;
