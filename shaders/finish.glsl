@@ -1,6 +1,7 @@
 // Lays the effect over what stands behind it: highlights rolled off, sRGB-coded, straight alpha. Where there is no effect
 // nothing is written, so that the picture behind stays as it is to the last bit.
 #include "srgb.glsl"
+#include "bloom_add.glsl"
 uniform sampler2D u_backdrop;  // linear light behind the effect, rolled off
 uniform int u_behind;          // 0 nothing (transparent), 1 u_plain, 2 u_backdrop
 uniform vec3 u_plain;          // linear
@@ -17,6 +18,7 @@ vec4 coded(vec4 scene, ivec2 at) {
 }
 
 void lay(vec4 scene, ivec2 at) {
+  scene.rgb = bloomed(scene.rgb, at);
   if (scene.a <= 0.0 && max(max(scene.r, scene.g), scene.b) <= 0.0) discard;
   o_colour = coded(scene, at);
 }

@@ -13,6 +13,7 @@ flat in float v_dense;    // of a puff: its cover is 1 - (1 + 4 v_dense)^-2 thro
 flat in vec3 v_shade;     // share of the sun on the lit side and on the far side, share of the sky
 flat in vec3 v_glow;      // light of flashes and fire on a cloud
 
+uniform float u_detail = 1.0;   // 0: coarse noise alone, for drafts
 uniform sampler2D u_noise;   // tiling value noise, 0..1
 uniform vec3 u_right;        // camera axes in the world
 uniform vec3 u_up;
@@ -37,7 +38,8 @@ vec4 puff() {
   vec2 turned = vec2(v_turn.x * v_disc.x - v_turn.y * v_disc.y, v_turn.y * v_disc.x + v_turn.x * v_disc.y);
   float coarse = texture(u_noise, v_noise + turned * 0.13).r;
   // The coarse billows drag the fine ones along, which makes wisps of dots.
-  float fine = texture(u_noise, v_noise.yx + turned * 0.42 + (coarse - 0.5) * 0.30).r;
+  float fine = coarse;
+  if (u_detail > 0.5) fine = texture(u_noise, v_noise.yx + turned * 0.42 + (coarse - 0.5) * 0.30).r;
   float noise = clamp((0.6 * coarse + 0.4 * fine - 0.5) * 2.3 + 0.5, 0.0, 1.0);
   float edge = 1.0 - r2;
   float body = clamp(1.5 * (edge - 0.85 * (1.0 - noise)), 0.0, 1.0);

@@ -15,7 +15,7 @@ namespace npsee::commands {
 struct RenderOptions {
   std::vector<std::string> files;
   std::vector<std::string> settings;
-  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads, format, caption, bits, passes;
+  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads, format, caption, bits, passes, quality;
   bool as_template = false, index = false;
   // a pipeline's habits
   std::string shard, summary, progress;

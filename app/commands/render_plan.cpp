@@ -147,6 +147,13 @@ Expected<render::Background> readBackground(std::string_view text) {
   return render::Background{Kind::colour, std::get<Colour>(*colour)};
 }
 
+Expected<render::Quality> readQuality(std::string_view text) {
+  if (text.empty()) return render::Quality::normal;
+  const auto found = std::ranges::find(render::kQualityNames, text);
+  if (found == render::kQualityNames.end()) return refused("--quality", text, "there is no such quality.", "Write draft, normal or fine.");
+  return static_cast<render::Quality>(found - render::kQualityNames.begin());
+}
+
 Expected<int> readThreads(std::string_view text) {
   if (text.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
   const auto threads = wholeNumber(text);
@@ -261,6 +268,7 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done && !options.sheet.empty()) done = readSheet(options, plan);
   if (done) done = readSize(options, plan);
   if (done) done = take(readBackground(options.background), plan.background);
+  if (done) done = take(readQuality(options.quality), plan.quality);
   if (done) done = take(readThreads(options.threads), plan.threads);
   if (done) done = take(readView(options.view), plan.view);
   if (done && !options.time.empty()) done = take(readMoments(options.time), plan.moments);

@@ -45,6 +45,7 @@ struct RenderPlan {
   int threads = 1;
   render::Background background;
   std::string camera = "auto";
+  render::Quality quality = render::Quality::normal;
   std::vector<Moment> moments{Moment{}};  ///< of pictures; a quarter into an effect its pieces are usually spread and in flight
   std::optional<std::pair<double, double>> range_s;  ///< `--frames`, s
   FrameRate rate;

@@ -20,6 +20,7 @@ PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& 
   job.scene.ground_colour = preset.ground_colour;
   job.scene.sky = preset.sky;
   job.scene.background = plan.background;
+  job.scene.quality = plan.quality;
   job.width = plan.width;
   job.height = plan.height;
   job.threads = plan.threads;

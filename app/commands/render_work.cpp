@@ -48,9 +48,14 @@ std::string floatsText(const RenderPlan& plan) {
   return std::string("passes") + (f.colour ? " colour" : "") + (f.depth ? " depth" : "") + (f.motion ? " motion over " + shortest(f.frame_s) + 's' : std::string()) + '\n';
 }
 
+/// Nothing where it is the usual one: what is finished stays so.
+std::string qualityText(const RenderPlan& plan) {
+  return plan.quality == render::Quality::normal ? std::string() : "quality " + std::string(render::kQualityNames[static_cast<std::size_t>(plan.quality)]) + '\n';
+}
+
 /// All but the preset and the time.
 std::string planText(const RenderPlan& plan) {
-  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + floatsText(plan);
+  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + qualityText(plan) + floatsText(plan);
 }
 
 render::DeepImage sixteenBits(const render::FloatImage& floats) {

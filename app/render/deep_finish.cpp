@@ -13,7 +13,7 @@ Expected<DeepFinish> DeepFinish::create() {
   return pass;
 }
 
-Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, FloatImage& image) {
+Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, const BloomLight& bloom, FloatImage& image) {
   if (width_ != target.width() || height_ != target.height()) {
     auto made = makeFloatTexture(target.width(), target.height(), frame_);
     if (!made) return tl::unexpected<Error>(made.error());
@@ -33,16 +33,22 @@ Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, boo
   all_.reset(width_, height_);
   all_.markAll();
   tiles_.upload(all_);
-  draw(target, tiles_, behind, colour, linear, false);
+  draw(target, tiles_, behind, colour, linear, nullptr);
   if (!effect.empty()) {
     tiles_.upload(effect);
-    draw(target, tiles_, behind, colour, linear, true);
+    draw(target, tiles_, behind, colour, linear, &bloom);
   }
   readFloats(width_, height_, image.rgba);
+  if (static_cast<long long>(width_) * height_ > kMostKeptPixels) {
+    frame_.reset();
+    result_.reset();
+    width_ = height_ = 0;
+  }
   return {};
 }
 
-void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, bool with_effect) const {
+void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const {
+  const bool with_effect = bloom != nullptr;
   gl::drawPlainly();
   const gl::Program& program = with_effect && target.smooth() ? smooth_ : single_;
   program.use();
@@ -52,6 +58,7 @@ void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, c
   program.set("u_effect", with_effect ? 1.0f : 0.0f);
   program.set("u_linear", linear ? 1 : 0);
   setPlain(program, plain);
+  setBloom(program, with_effect ? *bloom : BloomLight{});
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/bloom.h"
 #include "app/render/float_image.h"
 #include "app/render/target.h"
 #include "app/render/tiles.h"
@@ -14,11 +15,11 @@ class DeepFinish {
   static Expected<DeepFinish> create();
 
   /// `over_backdrop`, or over a plain colour (sRGB-coded), or over nothing (null). `effect` marks the tiles that the effect was
-  /// drawn in. Fills width, height and rgba. Error kind graphics when the driver has no room.
-  Expected<void> run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, FloatImage& image);
+  /// drawn in, which spread light reaches; linear light is as it was before it spread. Fills width, height and rgba. Error kind graphics when the driver has no room.
+  Expected<void> run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, const BloomLight& bloom, FloatImage& image);
 
  private:
-  void draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, bool with_effect) const;
+  void draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const;
 
   gl::Program single_, smooth_;
   TileMask all_;

@@ -112,6 +112,7 @@ Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const Lay
       continue;
     }
     if (auto made = makeOnce(soft_, ParticleOutput::light); !made) return made;
+    soft_->setDetail(detail_);
     soft_->draw(view, blended_, run.first, run.count, ground);
   }
   return {};

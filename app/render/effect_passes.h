@@ -21,6 +21,8 @@ class EffectPasses {
  public:
   static Expected<EffectPasses> create();
 
+  /// Whether clouds are drawn with all their noise, or for a draft.
+  void setDetail(bool detail) { detail_ = detail; }
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
   void upload(const Frame& frame, std::span<const LayerSpan> layers) { frame_.upload(frame, layers); }
   /// Burnt ground, which belongs to the ground: before everything else.
@@ -40,6 +42,7 @@ class EffectPasses {
   Expected<void> drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
 
  private:
+  bool detail_ = true;
   SolidPass solid_;
   ShadowPass shadow_;
   // Compiled when a picture needs them: start-up time counts.

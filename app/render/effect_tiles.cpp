@@ -53,7 +53,25 @@ bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, 
   return !on_ground || std::abs(at.y - ground_m) >= radius || markRound(mask, view, {at.x, ground_m, at.z}, radius + std::max(kRingWidth * radius, least), true);
 }
 
+/// Whether a particle may be brighter than the roll-off's threshold: streaks are up to 3.2 times their colour, fire and flash more.
+bool mayDazzle(const Frame& frame, std::size_t i, Form form) {
+  if (frame.size[i] <= 0.0f || frame.a[i] < 0.05f) return false;
+  const float most = std::max({frame.r[i], frame.g[i], frame.b[i]});
+  return form == Form::flash || form == Form::fire ? most > 0.3f : frame.a[i] > 0.25f && most > 0.55f;
+}
+
 }  // namespace
+
+void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view) {
+  for (const LayerSpan& layer : layers) {
+    if (!isSoft(layer.form) || layer.form == Form::smoke) continue;
+    const std::size_t end = std::min(layer.first + layer.count, frame.count);
+    for (std::size_t i = layer.first; i < end; ++i) {
+      if (!mayDazzle(frame, i, layer.form)) continue;
+      if (!markRound(mask, view, {static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}, reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
+    }
+  }
+}
 
 void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows) {
   const double ground_m = ground.height_m;

@@ -14,4 +14,7 @@ namespace npsee::render {
 /// than needed.
 void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows);
 
+/// Marks the tiles of particles that may be brighter than a picture can show: flashes, fire, streaks of light.
+void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view);
+
 }  // namespace npsee::render

@@ -2,6 +2,7 @@
 
 #include "app/gl/state.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace npsee::render {
@@ -30,20 +31,37 @@ void FinishPass::clear(const TileMesh& tiles) const {
   tiles.draw(clear_, 1.0f);
 }
 
-void FinishPass::drawOverBackdrop(const Target& target, const TileMesh& tiles) const {
-  target.copyBackdrop();
-  lay(target, tiles, 2, {});
+Expected<void> FinishPass::add(const Target& target, const TileMesh& tiles, double share) {
+  if (!sum_)
+    if (auto loaded = sum_.load("tiles.vert", "sum.frag"); !loaded) return loaded;
+  gl::drawPlainly();
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE);
+  sum_.use();
+  sum_.set("u_scene", 0);
+  sum_.set("u_weight", static_cast<float>(share));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, target.look());
+  glBindSampler(0, 0);
+  tiles.draw(sum_, 0.0f);
+  return {};
 }
 
-void FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind) const {
+Expected<void> FinishPass::drawOverBackdrop(const Target& target, const TileMesh& tiles, const BloomLight& bloom) {
+  target.copyBackdrop();
+  return lay(target, tiles, 2, {}, bloom);
+}
+
+Expected<void> FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind, const BloomLight& bloom) {
   const Colour plain = behind != nullptr ? *behind : Colour{};
   target.bindFinished();
   glClearColor(static_cast<float>(plain.r), static_cast<float>(plain.g), static_cast<float>(plain.b), behind != nullptr ? 1.0f : 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  lay(target, tiles, behind != nullptr ? 1 : 0, plain);
+  return lay(target, tiles, behind != nullptr ? 1 : 0, plain, bloom);
 }
 
-Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles) {
+Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles, const BloomLight& bloom) {
   gl::Program& program = target.smooth() ? mission_smooth_ : mission_;
   if (!program)
     if (auto loaded = program.load("tiles.vert", target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag"); !loaded) return loaded;
@@ -51,6 +69,7 @@ Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& til
   gl::drawPlainly();
   program.use();
   program.set("u_scene", 0);
+  setBloom(program, bloom);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
   glBindSampler(0, 0);
@@ -58,15 +77,24 @@ Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& til
   return {};
 }
 
-void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const {
+Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
+  if (target.draft() && !draft_)
+    if (auto loaded = draft_.load("tiles.vert", "finish_draft.frag"); !loaded) return loaded;
   target.bindFinished();
   gl::drawPlainly();
-  const gl::Program& program = target.smooth() ? smooth_ : single_;
+  const gl::Program& program = target.draft() ? draft_ : target.smooth() ? smooth_ : single_;
   program.use();
+  if (target.draft()) {
+    const auto set = [&](const char* name, double x, double y) { program.set(name, static_cast<float>(x), static_cast<float>(y)); };
+    set("u_per_pixel", static_cast<double>(target.effectWidth()) / target.width(), static_cast<double>(target.effectHeight()) / target.height());
+    set("u_used", target.effectWidth(), target.effectHeight());
+    set("u_texels", target.width(), target.height());
+  }
   program.set("u_scene", 0);
   program.set("u_backdrop", 1);
   program.set("u_behind", behind);
   setPlain(program, plain);
+  setBloom(program, bloom);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);
@@ -74,6 +102,16 @@ void FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, co
   glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
   glBindSampler(0, 0);
   tiles.draw(program, 0.0f);
+  return {};
+}
+
+void setBloom(const gl::Program& program, const BloomLight& bloom) {
+  program.set("u_bloom", 2);
+  program.set("u_bloom_share", static_cast<float>(bloom.texture != 0 ? bloom.share : 0.0));
+  program.set("u_bloom_size", static_cast<float>(std::max(bloom.width_px, 1.0)), static_cast<float>(std::max(bloom.height_px, 1.0)));
+  glActiveTexture(GL_TEXTURE2);
+  glBindTexture(GL_TEXTURE_2D, bloom.texture);
+  glBindSampler(2, 0);
 }
 
 void setPlain(const gl::Program& program, const Colour& plain) { program.set("u_plain", linearFromSrgb(plain.r), linearFromSrgb(plain.g), linearFromSrgb(plain.b)); }

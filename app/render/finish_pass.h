@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/bloom.h"
 #include "app/render/target.h"
 #include "app/render/tiles.h"
 
@@ -16,22 +17,29 @@ class FinishPass {
   /// Clears colour and depth of the tiles in the bound framebuffer.
   void clear(const TileMesh& tiles) const;
 
-  /// Lays the effect over the target's backdrop.
-  void drawOverBackdrop(const Target& target, const TileMesh& tiles) const;
+  /// Adds a share of the effect drawn last to the sum bound.
+  Expected<void> add(const Target& target, const TileMesh& tiles, double share);
+
+  /// Lays the effect over the target's backdrop. Error kind graphics as drawMission().
+  Expected<void> drawOverBackdrop(const Target& target, const TileMesh& tiles, const BloomLight& bloom);
   /// Lays it over a plain colour, or over nothing (null): a transparent picture.
-  void drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind) const;
+  Expected<void> drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind, const BloomLight& bloom);
 
   /// A mission's picture, which covers everything. Error kind graphics when its shader does not compile.
-  Expected<void> drawMission(const Target& target, const TileMesh& tiles);
+  Expected<void> drawMission(const Target& target, const TileMesh& tiles, const BloomLight& bloom);
 
  private:
-  void lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) const;
+  Expected<void> lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom);
 
   gl::Program clear_, single_, smooth_;
+  gl::Program draft_, sum_;                // made when first needed
   gl::Program mission_, mission_smooth_;  // made when first needed
 };
 
 /// Sets u_plain from an sRGB-coded colour.
 void setPlain(const gl::Program& program, const Colour& plain);
+
+/// Sets what shaders/bloom_add.glsl asks for; the light is bound to texture unit 2.
+void setBloom(const gl::Program& program, const BloomLight& bloom);
 
 }  // namespace npsee::render

@@ -1,5 +1,6 @@
 #include "app/render/mission_bursts.h"
 
+#include "app/render/effect_tiles.h"
 #include "app/render/meshes.h"
 #include "app/render/mission_scene.h"
 #include "app/render/mission_smoke.h"
@@ -170,6 +171,10 @@ Expected<void> MissionBursts::drawBlended(EffectPasses& effects, const MissionEy
     if (auto done = effects.drawShockShells(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
   }
   return {};
+}
+
+void MissionBursts::markBright(TileMask& mask, const MissionEye& eye) const {
+  for (const Drawn& drawn : bursts_) render::markBright(mask, drawn.frame, drawn.layers, eye.viewFrom(drawn.origin));
 }
 
 std::size_t MissionBursts::particles() const {

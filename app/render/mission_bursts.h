@@ -15,6 +15,7 @@
 
 namespace npsee::render {
 
+class TileMask;
 struct MissionView;
 
 /// Most bursts drawn in one picture: the youngest. Their pieces are thinned out with distance.
@@ -31,6 +32,9 @@ class MissionBursts {
   /// Shadows and opaque forms, then, when everything opaque is drawn, what is blended, far ones first.
   Expected<void> drawOpaque(EffectPasses& effects, const MissionEye& eye);
   Expected<void> drawBlended(EffectPasses& effects, const MissionEye& eye);
+
+  /// Marks where bursts may be brighter than a picture can show.
+  void markBright(TileMask& mask, const MissionEye& eye) const;
 
   std::size_t count() const { return bursts_.size(); }
   std::size_t particles() const;

@@ -186,7 +186,7 @@ std::vector<MissionMark> MissionScene::marks(const Recording& recording, double 
 const std::vector<std::string>& MissionScene::warnings() const { return impl_->bursts.warnings(); }
 const MissionScene::Counts& MissionScene::counts() const { return impl_->counts; }
 
-Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height) {
+Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, TileMask& bright) {
   Impl& own = *impl_;
   if (auto made = own.makePasses(); !made) return made;
   if (!own.ground.of(recording.terrain)) {
@@ -207,6 +207,7 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
   own.bursts.prepare(recording, time_s, view, eye, light);
   if (auto drawn = own.bursts.drawOpaque(effects, eye); !drawn) return drawn;
   if (auto drawn = own.bursts.drawBlended(effects, eye); !drawn) return drawn;
+  if (!map) own.bursts.markBright(bright, eye);
   own.drawOverlays(recording, time_s, view, eye, at_origin, light.night);
   own.counts = {own.passes->terrain.tiles(), models.size(), own.bursts.count(), own.bursts.particles(), own.bursts.compiled()};
   return {};

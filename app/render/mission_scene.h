@@ -14,6 +14,7 @@
 namespace npsee::render {
 
 class EffectPasses;
+class TileMask;
 
 /// What is drawn over a mission. Lines on the ground follow it; what a hill hides is drawn faintly.
 struct MissionOverlays {
@@ -84,8 +85,8 @@ class MissionScene {
 
  private:
   friend class Renderer;
-  /// Draws into the bound framebuffer (linear light, with depth), over whatever it holds.
-  Expected<void> draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height);
+  /// Draws into the bound framebuffer (linear light, with depth), over whatever it holds. Marks in `bright` what may dazzle.
+  Expected<void> draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, TileMask& bright);
 
   struct Impl;
   explicit MissionScene(std::unique_ptr<Impl> impl);

@@ -1,9 +1,11 @@
 #include "app/render/renderer.h"
 
 #include "app/render/backdrop_pass.h"
+#include "app/render/bloom.h"
 #include "app/render/deep_finish.h"
 #include "app/render/effect_passes.h"
 #include "app/render/effect_tiles.h"
+#include "app/render/fine_frames.h"
 #include "app/render/finish_pass.h"
 #include "app/render/hour_light.h"
 #include "app/render/make_once.h"
@@ -69,19 +71,32 @@ struct Renderer::Impl {
   FinishPass finish;
   // Shaders that not every picture needs are compiled when one does: start-up time counts.
   std::optional<TemplatePass> icon;
+  std::optional<Bloom> bloom;
   std::optional<DeepFinish> deep;
   std::optional<SurfacePass> surfaces;
-  TileMask mask;
+  FineFrames looks;
+  std::function<void(std::string_view)> watch;
+  TileMask mask, bright;  // touched by the effect; by what shines
+  BloomLight spread;      // of the picture drawn last
   TileMesh tiles;
   std::array<Slot, kPictureSlots> slots;
 
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   /// What lies on the ground: burnt patches, shadows, light, blast fronts.
-  Expected<void> drawOnGround(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
+  Expected<void> drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
   Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
   Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
   Expected<void> draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot);
+  /// Draws the particles of a frame into the bound framebuffer, whose tiles are cleared.
+  Expected<void> drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
+  /// The same by the scene's quality into the target's effect.
+  Expected<void> drawEffect(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target& target);
+  void passed(std::string_view pass) const;
+  /// Marks what shines, and all that its spread light reaches.
+  void markSpread(const Scene& scene, const View& view);
+  /// Spreads the light of the tiles in `bright`.
+  Expected<void> spreadLight(const Target& target);
   /// The slot with its target at the wanted size.
   Expected<Slot*> sized(int slot, int width, int height);
 };
@@ -102,40 +117,111 @@ void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot&
   slot.backdrop = wanted;
 }
 
-Expected<void> Renderer::Impl::drawOnGround(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
-  if (auto drawn = effects.drawScorch(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+Expected<void> Renderer::Impl::drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
+  if (auto drawn = effects.drawScorch(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("scorch");
   if (shadows)
-    if (auto drawn = effects.drawShadows(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+    if (auto drawn = effects.drawShadows(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("shadow");
   if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
-  return effects.drawShockRings(*scene.frame, scene.layers, view, ground);
+  passed("glow");
+  if (auto drawn = effects.drawShockRings(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("ring");
+  return {};
+}
+
+void Renderer::Impl::markSpread(const Scene& scene, const View& view) {
+  bright.reset(mask.width(), mask.height());
+  markBright(bright, *scene.frame, scene.layers, view);
+  if (!bright.empty()) mask.markAround(bright, static_cast<int>(Bloom::kReach * mask.height() / TileMask::kSide) + 2);
+}
+
+Expected<void> Renderer::Impl::spreadLight(const Target& target) {
+  spread = {};
+  if (bright.empty()) return {};
+  if (auto made = makeOnce(bloom); !made) return made;
+  auto light = bloom->run(target, bright);
+  if (!light) return tl::unexpected<Error>(light.error());
+  spread = *light;
+  return {};
+}
+
+void Renderer::Impl::passed(std::string_view pass) const {
+  if (!watch) return;
+  glFinish();
+  watch(pass);
+}
+
+Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
+  effects.upload(frame, scene.layers);
+  if (shadows)
+    if (auto drawn = drawOnGround(frame, scene, view, ground, hourLight(scene.sky).shadows); !drawn) return drawn;
+  effects.drawOpaque(frame, scene.layers, view, ground);
+  passed("solid");
+  if (auto drawn = effects.drawBlended(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("blended");
+  if (auto drawn = effects.drawShockShells(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("shell");
+  return {};
+}
+
+Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target& target) {
+  effects.setDetail(scene.quality != Quality::draft);
+  if (scene.quality == Quality::draft) {
+    target.beginDraft();
+    passed("clear");
+    return drawParticles(*scene.frame, scene, view, ground, shadows);
+  }
+  const bool fine = scene.quality == Quality::fine;
+  if (fine) {
+    if (auto bound = target.bindSum(); !bound) return bound;
+    finish.clear(tiles);
+  }
+  for (int look = 0; look < (fine ? FineFrames::kLooks : 1); ++look) {
+    if (auto begun = target.beginEffect(!fine && scene.frame->count <= kMostSmooth); !begun) return begun;
+    finish.clear(tiles);
+    passed("clear");
+    if (!fine) return drawParticles(*scene.frame, scene, view, ground, shadows);
+    if (auto drawn = drawParticles(looks.frameOf(*scene.frame, scene.layers, look), scene, FineFrames::viewOf(view, look, target.width(), target.height()), ground, shadows); !drawn) return drawn;
+    if (auto bound = target.bindSum(); !bound) return bound;
+    if (auto added = finish.add(target, tiles, 1.0 / FineFrames::kLooks); !added) return added;
+    passed("sum");
+  }
+  return {};
 }
 
 Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot) {
   const bool outdoors = scene.background.kind == Background::Kind::sky;
   const bool particles = scene.frame != nullptr && scene.frame->count > 0;
+  const bool draft = scene.quality == Quality::draft;
   // A picture without background is for laying over another: it holds the effect alone.
   const bool shadows = scene.background.kind != Background::Kind::transparent && view.eye.y > scene.ground_height_m;
-  const Target& target = slot.target;
+  Target& target = slot.target;
   if (outdoors) prepareBackdrop(scene, view, slot);
-  mask.reset(target.width(), target.height());
+  passed("backdrop");
+  // Half the pixels a side show the same: each spans twice as much.
+  const int width = draft ? (target.width() + 1) / 2 : target.width(), height = draft ? (target.height() + 1) / 2 : target.height();
+  View seen = view;
+  seen.metre_per_pixel *= static_cast<double>(target.height()) / height;
+  mask.reset(width, height);
+  bright.reset(width, height);
   GroundLevel ground = groundOf(scene);
-  const HourLight hour = hourLight(scene.sky);
-  if (particles) ground.glow = glowOf(*scene.frame, scene.layers);
-  ground.glow.light_m2 = hour.exposure * ground.glow.light_m2;
-  if (particles) markEffect(mask, *scene.frame, scene.layers, view, ground, shadows);
-  tiles.upload(mask);
-  if (!mask.empty()) {
-    if (auto begun = slot.target.beginEffect(scene.frame->count <= kMostSmooth); !begun) return begun;
-    finish.clear(tiles);
-    effects.upload(*scene.frame, scene.layers);
-    if (shadows)
-      if (auto drawn = drawOnGround(scene, view, ground, hour.shadows); !drawn) return drawn;
-    effects.drawOpaque(*scene.frame, scene.layers, view, ground);
-    if (auto drawn = effects.drawBlended(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
-    if (auto drawn = effects.drawShockShells(*scene.frame, scene.layers, view, ground); !drawn) return drawn;
+  if (particles) {
+    ground.glow = glowOf(*scene.frame, scene.layers);
+    ground.glow.light_m2 = hourLight(scene.sky).exposure * ground.glow.light_m2;
+    if (scene.quality != Quality::fine) markEffect(mask, *scene.frame, scene.layers, seen, ground, shadows);
+    else
+      for (int look = 0; look < FineFrames::kLooks; ++look) markEffect(mask, looks.frameOf(*scene.frame, scene.layers, look), scene.layers, seen, ground, shadows);
+    if (scene.bloom && !draft) markSpread(scene, seen);
   }
-  if (outdoors) finish.drawOverBackdrop(target, tiles);
-  else finish.drawOverColour(target, tiles, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr);
+  tiles.upload(mask);
+  if (!mask.empty())
+    if (auto drawn = drawEffect(scene, seen, ground, shadows, target); !drawn) return drawn;
+  if (auto done = spreadLight(target); !done) return done;
+  passed("bloom");
+  const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
+  if (auto finished = outdoors ? finish.drawOverBackdrop(target, tiles, spread) : finish.drawOverColour(target, tiles, plain, spread); !finished) return finished;
+  passed("finish");
   return drawnWithoutError();
 }
 
@@ -145,11 +231,14 @@ Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, 
   image.height = slot.target.height();
   image.rgba.clear();
   if (request.colour) {
-    if (auto drawn = draw(scene, view, slot); !drawn) return drawn;
+    // Single precision is for pictures that are kept: it has no half size.
+    Scene whole = scene;
+    if (scene.quality == Quality::draft) whole.quality = Quality::normal, whole.bloom = false;
+    if (auto drawn = draw(whole, view, slot); !drawn) return drawn;
     if (auto made = makeOnce(deep); !made) return made;
     // `mask` still marks the effect's tiles.
     const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
-    if (auto finished = deep->run(slot.target, mask, outdoors, plain, request.linear, image); !finished) return finished;
+    if (auto finished = deep->run(slot.target, mask, outdoors, plain, request.linear, spread, image); !finished) return finished;
   }
   image.depth.clear();
   image.motion.clear();
@@ -173,7 +262,7 @@ Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
   tiles.upload(mask);
   finish.clear(tiles);
   icon->draw(scene, target.width(), target.height());
-  finish.drawOverColour(target, tiles, TemplatePass::background(scene));
+  if (auto finished = finish.drawOverColour(target, tiles, TemplatePass::background(scene), {}); !finished) return finished;
   return drawnWithoutError();
 }
 
@@ -183,8 +272,10 @@ Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& record
   mask.reset(target.width(), target.height());
   mask.markAll();
   tiles.upload(mask);
-  if (auto drawn = scene.draw(effects, recording, time_s, view, target.width(), target.height()); !drawn) return drawn;
-  if (auto finished = finish.drawMission(target, tiles); !finished) return finished;
+  bright.reset(target.width(), target.height());
+  if (auto drawn = scene.draw(effects, recording, time_s, view, target.width(), target.height(), bright); !drawn) return drawn;
+  if (auto done = spreadLight(target); !done) return done;
+  if (auto finished = finish.drawMission(target, tiles, spread); !finished) return finished;
   return drawnWithoutError();
 }
 
@@ -200,6 +291,8 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
   if (auto done = take(FinishPass::create(), impl->finish); !done) return tl::unexpected<Error>(done.error());
   return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
+
+void Renderer::watchPasses(std::function<void(std::string_view)> watch) { impl_->watch = std::move(watch); }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
@@ -223,6 +316,7 @@ Expected<void> Renderer::drawToImage(const Scene& scene, const Camera& camera, i
   if (!sized) return tl::unexpected<Error>(sized.error());
   if (auto drawn = impl_->draw(scene, makeView(camera, width, height), **sized); !drawn) return drawn;
   readBack((*sized)->target, image);
+  impl_->passed("read");
   return {};
 }
 

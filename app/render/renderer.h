@@ -4,13 +4,16 @@
 #include "app/render/camera.h"
 #include "app/render/float_image.h"
 #include "app/render/image.h"
+#include "app/render/quality.h"
 #include "app/render/template_geometry.h"
 
 #include <npsee/explosion.h>
 #include <npsee/preset.h>
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace npsee {
 struct Recording;
@@ -39,6 +42,8 @@ struct Scene {
   Sky sky = Sky::day;                 ///< hour: light on everything, and the backdrop
   Background background;
   bool grid = true;
+  bool bloom = true;                  ///< light that is too bright spreads; never in drafts
+  Quality quality = Quality::normal;
 };
 
 /// The three views of the thesis's template.
@@ -79,6 +84,9 @@ class Renderer {
 
   /// Draws in single precision, with the passes requested; the memory of `image` is used again.
   Expected<void> drawToFloats(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, FloatImage& image);
+
+  /// Calls back after each pass of a scene's picture, with the driver's work done: for measuring. Empty = no longer.
+  void watchPasses(std::function<void(std::string_view pass)> watch);
 
   /// A mission at a moment; see mission_scene.h for the contract.
   Expected<unsigned> drawToTexture(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, int width, int height, int slot = 2);

@@ -80,6 +80,7 @@ void SoftPass::drawInstances(const View& view, const BlendedUpload& particles, s
   setView(program_, view);
   setGround(program_, view, ground);
   program_.set("u_noise", 0);
+  program_.set("u_detail", detail_ ? 1.0f : 0.0f);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, noise_.name());
   glBindSampler(0, 0);

@@ -12,6 +12,8 @@ class SoftPass {
  public:
   static Expected<SoftPass> create(ParticleOutput output = ParticleOutput::light);
   void draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const;
+  /// Whether the fine noise is drawn too.
+  void setDetail(bool detail) { detail_ = detail; }
   /// Blends their depth and motion, multiplied by their cover, in the order given. Needs a pass made for surfaces.
   void drawSurfaces(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) const;
 
@@ -21,6 +23,7 @@ class SoftPass {
   gl::Program program_;
   gl::VertexArray attributes_;
   gl::Texture noise_;
+  bool detail_ = true;
 };
 
 }  // namespace npsee::render

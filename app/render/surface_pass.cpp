@@ -13,6 +13,8 @@ namespace {
 
 /// Cover from which puffs together are a surface.
 constexpr float kLeastCover = 0.5f;
+/// Rows read at a time.
+constexpr int kBand = 256;
 
 }  // namespace
 
@@ -31,21 +33,19 @@ Expected<void> SurfacePass::resize(int width, int height) {
   depth_ = gl::Renderbuffer::make();
   glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  for (const auto& [texture, frame] : {std::pair(&solid_, &solid_frame_), std::pair(&soft_, &soft_frame_)}) {
-    auto made = makeFloatTexture(width, height, *frame);
-    if (!made) return tl::unexpected<Error>(made.error());
-    *texture = std::move(*made);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-  }
+  auto made = makeFloatTexture(width, height, frame_);
+  if (!made) return tl::unexpected<Error>(made.error());
+  values_ = std::move(*made);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
   if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver has no room for the depth of the picture: ") + error + ".", "Choose a smaller size.");
   width_ = width;
   height_ = height;
   return {};
 }
 
-void SurfacePass::begin(const gl::Framebuffer& frame) const {
+void SurfacePass::begin() const {
   const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
-  glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, width_, height_);
   glDisable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -67,34 +67,48 @@ Expected<void> SurfacePass::run(EffectPasses& effects, const Frame* frame, std::
   if (auto sized = resize(width, height); !sized) return sized;
   const SurfaceFrame surface{width, height, request.frame_s};
   const float farthest = 1.0f;
-  begin(solid_frame_);
+  begin();
   glDepthMask(GL_TRUE);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   if (ground.solid) drawGround(view, ground);
   if (frame != nullptr)
     if (auto drawn = effects.drawSolidSurfaces(*frame, layers, view, ground, surface); !drawn) return drawn;
-  readFloats(width, height, solid_values_);
-  soft_values_.clear();
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  image.depth.resize(request.depth ? pixels : 0);
+  image.motion.resize(request.motion ? 2 * pixels : 0);
+  take(image, request, false);
   if (std::ranges::any_of(layers, [](const LayerSpan& layer) { return isSoft(layer.form); }) && frame != nullptr) {
-    begin(soft_frame_);
+    begin();
     if (auto drawn = effects.drawSoftSurfaces(*frame, layers, view, ground, surface); !drawn) return drawn;
-    readFloats(width, height, soft_values_);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+    take(image, request, true);
   }
-  fill(image, request);
+  if (static_cast<long long>(width) * height > kMostKeptPixels) {
+    frame_.reset();
+    values_.reset();
+    depth_.reset();
+    width_ = height_ = 0;
+  }
   return {};
 }
 
-void SurfacePass::fill(FloatImage& image, const FloatRequest& request) const {
-  const std::size_t pixels = solid_values_.size() / 4;
-  image.depth.resize(request.depth ? pixels : 0);
-  image.motion.resize(request.motion ? 2 * pixels : 0);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const bool in_cloud = !soft_values_.empty() && soft_values_[4 * i + 3] >= kLeastCover;
-    const float* values = (in_cloud ? soft_values_ : solid_values_).data() + 4 * i;
-    const float cover = values[3];
-    if (request.depth) image.depth[i] = cover > 0.0f ? values[0] / cover : std::numeric_limits<float>::infinity();
-    if (request.motion)
-      for (std::size_t c = 0; c < 2; ++c) image.motion[2 * i + c] = cover > 0.0f ? values[1 + c] / cover : 0.0f;
+void SurfacePass::take(FloatImage& image, const FloatRequest& request, bool puffs) {
+  const auto columns = static_cast<std::size_t>(width_);
+  for (int first = 0; first < height_; first += kBand) {
+    const int rows = std::min(kBand, height_ - first);
+    readRows(width_, first, rows, band_);
+    for (int row = 0; row < rows; ++row) {
+      // GL's first row is the lowest.
+      const std::size_t to = static_cast<std::size_t>(height_ - 1 - first - row) * columns;
+      const float* values = band_.data() + 4 * static_cast<std::size_t>(row) * columns;
+      for (std::size_t x = 0; x < columns; ++x, values += 4) {
+        const float cover = values[3];
+        if (puffs && cover < kLeastCover) continue;
+        if (request.depth) image.depth[to + x] = cover > 0.0f ? values[0] / cover : std::numeric_limits<float>::infinity();
+        if (request.motion)
+          for (std::size_t c = 0; c < 2; ++c) image.motion[2 * (to + x) + c] = cover > 0.0f ? values[1 + c] / cover : 0.0f;
+      }
+    }
   }
 }
 

@@ -16,18 +16,19 @@ class SurfacePass {
 
  private:
   Expected<void> resize(int width, int height);
-  /// The framebuffer of pieces and ground, or of what is soft, bound and empty. Both share one depth.
-  void begin(const gl::Framebuffer& frame) const;
-  void fill(FloatImage& image, const FloatRequest& request) const;
+  /// The framebuffer bound and its values empty; depth stays.
+  void begin() const;
+  /// Reads what is drawn: pieces and ground, or puffs, which replace them where they are a surface. Band by band, for memory.
+  void take(FloatImage& image, const FloatRequest& request, bool puffs);
   void drawGround(const View& view, const GroundLevel& ground) const;
 
   gl::Program ground_;
   gl::VertexArray nothing_;
-  gl::Texture solid_, soft_;
+  gl::Texture values_;
   gl::Renderbuffer depth_;
-  gl::Framebuffer solid_frame_, soft_frame_;
+  gl::Framebuffer frame_;
   int width_ = 0, height_ = 0;
-  std::vector<float> solid_values_, soft_values_;
+  std::vector<float> band_;
 };
 
 }  // namespace npsee::render

@@ -81,6 +81,7 @@ Expected<void> Target::resize(int width, int height) {
 }
 
 Expected<void> Target::beginEffect(bool smooth) {
+  draft_ = summed_ = false;
   GLint most = 1;
   glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
   smooth_ = smooth && most >= kSamples && static_cast<std::int64_t>(width_) * height_ <= kMostSmoothPixels;
@@ -102,6 +103,40 @@ Expected<void> Target::beginEffect(bool smooth) {
   glViewport(0, 0, width_, height_);
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_MULTISAMPLE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return {};
+}
+
+void Target::beginDraft() {
+  draft_ = true;
+  smooth_ = summed_ = false;
+  glBindFramebuffer(GL_FRAMEBUFFER, effect_frame_.name());
+  glViewport(0, 0, effectWidth(), effectHeight());
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  // All of it: what is drawn larger looks beyond the tiles.
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, effectWidth(), effectHeight());
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f}, farthest = 1.0f;
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+Expected<void> Target::bindSum() {
+  if (!sum_frame_) {
+    sum_ = makeTexture(GL_RGBA32F, GL_FLOAT, width_, height_);
+    sum_frame_ = makeFramebuffer(sum_);
+    if (auto made = checkComplete({&sum_frame_}, width_, height_); !made) {
+      sum_frame_.reset();
+      return made;
+    }
+  }
+  draft_ = smooth_ = false;
+  summed_ = true;
+  glBindFramebuffer(GL_FRAMEBUFFER, sum_frame_.name());
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return {};
 }

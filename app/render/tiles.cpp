@@ -28,6 +28,26 @@ void TileMask::mark(double left, double low, double right, double high) {
 
 void TileMask::markAll() { mark(0.0, 0.0, width_, height_); }
 
+void TileMask::markAround(const TileMask& other, int tiles) {
+  // Rows first, then columns: a square is both.
+  std::vector<std::uint8_t> wide(grid_.size(), 0);
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      if (!other.touched(column, row)) continue;
+      const auto begin = wide.begin() + row * columns_;
+      std::fill(begin + std::max(column - tiles, 0), begin + std::min(column + tiles + 1, columns_), std::uint8_t{1});
+    }
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      if (wide[static_cast<std::size_t>(row * columns_ + column)] == 0) continue;
+      for (int to = std::max(row - tiles, 0); to < std::min(row + tiles + 1, rows_); ++to) {
+        std::uint8_t& cell = grid_[static_cast<std::size_t>(to * columns_ + column)];
+        marked_ += cell == 0;
+        cell = 1;
+      }
+    }
+}
+
 void TileMesh::upload(const TileMask& mask) {
   width_ = mask.width();
   height_ = mask.height();
@@ -52,8 +72,8 @@ void TileMesh::upload(const TileMask& mask) {
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void TileMesh::draw(const gl::Program& program, float depth) const {
-  program.set("u_size", static_cast<float>(width_), static_cast<float>(height_));
+void TileMesh::draw(const gl::Program& program, float depth, int width, int height) const {
+  program.set("u_size", static_cast<float>(width), static_cast<float>(height));
   program.set("u_depth", depth);
   glBindVertexArray(attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size() / 2));

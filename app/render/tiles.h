@@ -17,6 +17,8 @@ class TileMask {
   /// Marks a rectangle given in pixels from the lower left; parts outside the picture do not count.
   void mark(double left, double low, double right, double high);
   void markAll();
+  /// Marks all tiles within so many tiles of a marked one of a mask of the same size.
+  void markAround(const TileMask& other, int tiles);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -36,7 +38,9 @@ class TileMesh {
  public:
   void upload(const TileMask& mask);
   /// Draws with the program in use, whose vertex shader is tiles.vert, at the given device depth.
-  void draw(const gl::Program& program, float depth) const;
+  void draw(const gl::Program& program, float depth) const { draw(program, depth, width_, height_); }
+  /// Into a target that stands for so many pixels of the picture.
+  void draw(const gl::Program& program, float depth, int width, int height) const;
 
  private:
   gl::VertexArray attributes_;

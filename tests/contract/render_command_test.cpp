@@ -277,7 +277,7 @@ TEST_F(RenderCommand, CommandsThatDrawNothingNeedNoGraphics) {
 
 TEST_F(RenderCommand, HelpShowsEveryOptionAndExamples) {
   const auto help = npseeRun({"render", "--help"});
-  for (const char* word : {"--output", "--time", "--frames", "--fps", "--size", "--camera", "--seed", "--set", "--background", "--sheet", "--caption", "--index", "--format", "--template", "--view", "--layer", "--threads", "--shard", "--resume", "--dry-run", "--verify", "--summary", "--progress",
+  for (const char* word : {"--output", "--time", "--frames", "--fps", "--size", "--quality", "--camera", "--seed", "--set", "--background", "--sheet", "--caption", "--index", "--format", "--template", "--view", "--layer", "--threads", "--shard", "--resume", "--dry-run", "--verify", "--summary", "--progress",
                            "--golden", "--update-golden", "--report", "--junit", "--max", "--mean", "--pixels", "--ssim", "Examples:"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }

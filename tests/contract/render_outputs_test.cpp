@@ -43,6 +43,27 @@ class RenderOutputs : public test::RenderFixture {
   }
 };
 
+TEST_F(RenderOutputs, QualitiesAreThreePicturesOfTheSame) {
+  const render::Image normal = picture({"--time", "0.3"}), draft = picture({"--time", "0.3", "--quality", "draft"}), fine = picture({"--time", "0.3", "--quality", "fine"});
+  EXPECT_EQ(picture({"--time", "0.3", "--quality", "normal"}).rgba, normal.rgba);
+  for (const render::Image* other : {&draft, &fine}) {
+    const auto d = render::compareImages(render::deepened(normal), render::deepened(*other));
+    EXPECT_GT(d.max, 0.0);
+    EXPECT_GT(d.ssim, 0.8);
+  }
+  expect(small({"--quality", "best", "-o", folder_ / "a.png"}), 2, {}, {"--quality best", "draft, normal or fine"});
+}
+
+TEST_F(RenderOutputs, ResumeDrawsPicturesOfAnotherQualityAnew) {
+  const std::string path = folder_ / "a.png";
+  expect(small({"--quality", "draft", "-o", path}), 0, {path});
+  EXPECT_EQ(small({"--quality", "draft", "--resume", "-o", path}).out, "");
+  expect(small({"--resume", "-o", path}), 0, {path});
+  const auto summary = nlohmann::json::parse(small({"--quality", "fine", "--resume", "--summary", "json", "-o", path}).out);
+  EXPECT_EQ(summary["quality"], "fine");
+  EXPECT_EQ(summary["written"], 1);
+}
+
 TEST_F(RenderOutputs, VideosHoldTheFramesOfTheSequence) {
   const render::Image third = picture({"--time", "0.2"});
   for (const std::string name : {"a.mp4", "a.webm", "a.gif"}) {

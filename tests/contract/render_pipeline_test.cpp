@@ -105,9 +105,10 @@ TEST_F(RenderPipeline, EveryOptionThatChangesThePictureChangesItsRecipe) {
   EXPECT_EQ(recipe({"--camera", "auto", "--background", "sky"}), plain);
   std::set<std::string> all{plain};
   for (const Words& words : std::vector<Words>{{"--time", "1"}, {"--time", "30%"}, {"--seed", "5"}, {"--set", "gravity=5"}, {"--camera", "top"}, {"--background", "black"}, {"--background", "transparent"}, {"--sheet", "2x2"},
-                                               {"--sheet", "2x3"}, {"--sheet", "2x2", "--frames", "0:1"}, {"--template"}, {"--template", "--view", "splines"}})
+                                               {"--sheet", "2x3"}, {"--sheet", "2x2", "--frames", "0:1"}, {"--template"}, {"--template", "--view", "splines"}, {"--quality", "draft"}, {"--quality", "fine"}})
     all.insert(recipe(words));
-  EXPECT_EQ(all.size(), 13u);
+  EXPECT_EQ(all.size(), 15u);
+  EXPECT_EQ(recipe({"--quality", "normal"}), plain);
 }
 
 TEST_F(RenderPipeline, ADryRunPrintsThePlanAndWritesNothing) {

@@ -65,7 +65,9 @@ TEST_F(Rendering, EveryFormCoversAboutTheAreaOfItsSize) {
   for (const Form form : {Form::tetrahedron, Form::disc, Form::sphere, Form::shard, Form::streak, Form::smoke, Form::fire, Form::flash}) {
     test::HandMade made;
     made.add(form, {0.0, 3.0, 0.0}, 4.0);
-    const Image image = draw(sceneOf(made, Background::Kind::transparent), kFront);
+    Scene scene = sceneOf(made, Background::Kind::transparent);
+    scene.bloom = false;  // the form's own light
+    const Image image = draw(scene, kFront);
     // Area of a disc of that diameter in pixels; forms fill between a fortieth (streak at rest) and all of it.
     const double radius_px = 2.0 / (20.0 * std::tan(0.5 * kFront.fov_y_rad)) * 90.0;
     const double share = coveredPixels(image) / (3.14159265 * radius_px * radius_px);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace npsee::render {
+
+/// How much work a picture is worth.
+enum class Quality {
+  draft,   ///< the effect at half the size, one sample a pixel, coarser noise, no spread light: for a look
+  normal,  ///< four samples a pixel
+  fine,    ///< sixteen pictures in one, each aside by part of a pixel and at its own time of the shutter's
+};
+
+/// Names as they are typed, in the order of the values.
+inline constexpr std::array<std::string_view, 3> kQualityNames{"draft", "normal", "fine"};
+
+/// Time that the shutter is open, s; streaks are as long as their way in it (shaders/soft.vert), and fine pictures blur pieces by it.
+inline constexpr double kShutter_s = 1.0 / 50.0;
+
+}  // namespace npsee::render
