@@ -61,6 +61,8 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     for (std::size_t i = layer.first; i < end; ++i) {
       const float a = frame.a[i];
       if (frame.size[i] <= 0.0f || a <= 0.0f || (!soft && a > kOpaque)) continue;
+      const bool cloud = layer.form == Form::smoke || layer.form == Form::fire;
+      if (shade != nullptr && cloud && shade->hidden({static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}, 0.5 * static_cast<double>(frame.size[i]), view.right, view.up)) continue;
       const double depth = view.depthOf(static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i]));
       entries_.push_back({static_cast<float>(depth), static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(l)});
     }

@@ -20,7 +20,7 @@ class BlendOrder {
     std::size_t first, count;
   };
 
-  /// `shade` is the light inside the smoke; without it all puffs stand in full light.
+  /// `shade` is the light inside the smoke; without it all puffs stand in full light and none is left out as hidden by others.
   void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const SmokeShade* shade = nullptr);
   std::span<const BlendedInstance> instances() const { return instances_; }
   std::span<const Run> runs() const { return runs_; }

@@ -103,6 +103,7 @@ void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> lay
 
 Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   shade_.build(frame, layers, kTowardsSun);
+  shade_.lookFrom(view.eye);
   order_.sort(frame, layers, view, &shade_);
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());

@@ -135,6 +135,7 @@ void SmokeShade::sweepSky() {
 
 void SmokeShade::build(const Frame& frame, std::span<const LayerSpan> layers, const Vec3& towards_sun) {
   fit(frame, layers);
+  eye_depth_.clear();
   if (sigma_.empty()) return;
   forPuffs(frame, layers, [&](const Vec3& at, double r, double depth) { add(at, r, depth); });
   sweepSun(towards_sun);
@@ -153,6 +154,52 @@ double SmokeShade::sample(const std::vector<float>& cells, const Vec3& place) co
   const auto row = [&](std::ptrdiff_t offset) { return static_cast<double>(base[offset]) * (1.0 - f[0]) + static_cast<double>(base[offset + 1]) * f[0]; };
   const double low = row(0) * (1.0 - f[2]) + row(step_[2]) * f[2], high = row(step_[1]) * (1.0 - f[2]) + row(step_[1] + step_[2]) * f[2];
   return low * (1.0 - f[1]) + high * f[1];
+}
+
+void SmokeShade::lookFrom(const Vec3& eye) {
+  eye_depth_.clear();
+  if (sigma_.empty()) return;
+  eye_ = eye;
+  const Vec3 size{cell_m_ * count_[0], cell_m_ * count_[1], cell_m_ * count_[2]}, from = eye - (corner_ + 0.5 * size);
+  std::size_t m = 0;
+  for (const std::size_t axis : {std::size_t{1}, std::size_t{2}})
+    if (std::abs(part(from, axis)) > std::abs(part(from, m))) m = axis;
+  if (std::abs(part(from, m)) < 0.5 * part(size, m) + cell_m_) return;
+  const std::size_t a = m == 0 ? 2 : 0, b = m == 1 ? 2 : 1;
+  const int slices = count_[m], up = part(from, m) > 0.0 ? 1 : -1;
+  eye_depth_.assign(sigma_.size(), 0.0f);
+  // As the sun's, but rays come together at the eye: the way aside differs from cell to cell.
+  for (int s = 1; s < slices; ++s) {
+    const int slice = up > 0 ? slices - 1 - s : s;
+    const double ahead = std::abs(part(eye, m) - (part(corner_, m) + (slice + 0.5) * cell_m_));
+    for (int j = 0; j < count_[b]; ++j) {
+      const double side_b = (part(eye, b) - (part(corner_, b) + (j + 0.5) * cell_m_)) / ahead, to_b = std::clamp(j + side_b, 0.0, count_[b] - 1.001);
+      const int ib = static_cast<int>(to_b);
+      const auto fb = static_cast<float>(to_b - ib);
+      for (int i = 0; i < count_[a]; ++i) {
+        const double side_a = (part(eye, a) - (part(corner_, a) + (i + 0.5) * cell_m_)) / ahead, to_a = std::clamp(i + side_a, 0.0, count_[a] - 1.001);
+        const int ia = static_cast<int>(to_a);
+        const auto fa = static_cast<float>(to_a - ia), half = static_cast<float>(0.5 * cell_m_ * std::sqrt(1.0 + side_a * side_a + side_b * side_b));
+        const auto above = [&](int x, int y) {
+          const auto at = static_cast<std::size_t>(step_[m] * (slice + up) + step_[a] * x + step_[b] * y);
+          return eye_depth_[at] + half * sigma_[at];
+        };
+        const float low = above(ia, ib) * (1.0f - fa) + above(ia + 1, ib) * fa, high = above(ia, ib + 1) * (1.0f - fa) + above(ia + 1, ib + 1) * fa;
+        const auto at = static_cast<std::size_t>(step_[m] * slice + step_[a] * i + step_[b] * j);
+        eye_depth_[at] = low * (1.0f - fb) + high * fb + half * sigma_[at];
+      }
+    }
+  }
+}
+
+bool SmokeShade::hidden(const Vec3& place, double radius_m, const Vec3& right, const Vec3& up) const {
+  if (eye_depth_.empty()) return false;
+  const double away = length(eye_ - place);
+  const Vec3 near = place + (0.5 * radius_m / std::max(away, radius_m)) * (eye_ - place);
+  if (sample(eye_depth_, near) < kHidden) return false;
+  for (const Vec3& aside : {right, -1.0 * right, up, -1.0 * up})
+    if (sample(eye_depth_, near + (0.8 * radius_m) * aside) < kHidden) return false;
+  return true;
 }
 
 PuffLight SmokeShade::at(const Vec3& place, double radius_m) const {

@@ -49,6 +49,14 @@ class SmokeShade {
   /// Light at a puff of that radius; everything where the grid is empty.
   PuffLight at(const Vec3& place, double radius_m) const;
 
+  /// Sums the depth towards an eye, for hidden(); nothing is hidden from an eye within the smoke's box.
+  void lookFrom(const Vec3& eye);
+  /// Whether so much smoke stands between the eye and all of a puff that it would not be seen: a depth of kHidden before its middle and
+  /// before four places of its rim.
+  bool hidden(const Vec3& place, double radius_m, const Vec3& right, const Vec3& up) const;
+  /// Less than 0.1 % of light comes through an even medium of this depth, and 4 % through one as uneven as leftThrough() takes it.
+  static constexpr double kHidden = 8.0;
+
   bool empty() const { return sigma_.empty(); }
   double cell_m() const { return cell_m_; }
 
@@ -64,8 +72,8 @@ class SmokeShade {
   std::array<std::ptrdiff_t, 3> step_{};  // between neighbours
   Vec3 corner_;                     // lowest, world m
   double cell_m_ = 1.0;
-  Vec3 sun_;
-  std::vector<float> sigma_, sun_depth_, sky_;
+  Vec3 sun_, eye_;
+  std::vector<float> sigma_, sun_depth_, sky_, eye_depth_;
   std::array<std::vector<float>, 3> weights_;  // of the puff being added
 };
 

@@ -79,6 +79,27 @@ TEST(SmokeShade, TheInsideSeesLessSkyThanTheOutside) {
   EXPECT_LE(top, 1.0001f);
 }
 
+TEST(SmokeShade, HidesFromAnEyeWhatThickSmokeStandsBefore) {
+  const auto thick = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 0.8), thin = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 0.004);
+  for (const Vec3& eye : {Vec3{0.0, 20.0, 50.0}, Vec3{40.0, 30.0, -20.0}, Vec3{5.0, 80.0, 5.0}}) {
+    SmokeShade shade;
+    shade.build(thick.frame, thick.layers, kSun);
+    const Vec3 right{1.0, 0.0, 0.0};
+    EXPECT_FALSE(shade.hidden({0.0, 20.0, 0.0}, 1.5, right, kUp)) << "not asked for";
+    shade.lookFrom(eye);
+    const Vec3 way = (1.0 / length(eye - Vec3{0.0, 20.0, 0.0})) * (eye - Vec3{0.0, 20.0, 0.0});
+    EXPECT_TRUE(shade.hidden(Vec3{0.0, 20.0, 0.0} - 3.0 * way, 1.5, right, kUp));
+    EXPECT_FALSE(shade.hidden(Vec3{0.0, 20.0, 0.0} + 10.0 * way, 1.5, right, kUp)) << "the near side";
+    EXPECT_FALSE(shade.hidden(Vec3{0.0, 20.0, 0.0}, 30.0, right, kUp)) << "it stands out on all sides";
+    shade.build(thin.frame, thin.layers, kSun);
+    shade.lookFrom(eye);
+    EXPECT_FALSE(shade.hidden({0.0, 20.0, 0.0}, 1.5, right, kUp));
+    shade.build(thick.frame, thick.layers, kSun);
+    shade.lookFrom({1.0, 21.0, 0.0});
+    EXPECT_FALSE(shade.hidden({0.0, 20.0, 0.0}, 1.5, right, kUp)) << "an eye inside";
+  }
+}
+
 TEST(SmokeShade, EqualFramesGiveEqualBits) {
   const auto made = ball({3.0, 20.0, -1.0}, 10.0, 3.0, 0.5);
   SmokeShade first, second;
