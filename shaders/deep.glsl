@@ -12,8 +12,9 @@ vec3 unrolled(vec3 c) {
 
 void finishDeep(vec4 scene, ivec2 at) {
   scene *= u_effect;
+  scene.rgb = bloomed(scene.rgb, at);
   if (u_linear == 0) {
-    o_colour = coded(vec4(bloomed(scene.rgb, at), scene.a), at);
+    o_colour = coded(scene, at);
     return;
   }
   float cover = min(scene.a, 1.0);

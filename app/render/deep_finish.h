@@ -15,7 +15,7 @@ class DeepFinish {
   static Expected<DeepFinish> create();
 
   /// `over_backdrop`, or over a plain colour (sRGB-coded), or over nothing (null). `effect` marks the tiles that the effect was
-  /// drawn in, which spread light reaches; linear light is as it was before it spread. Fills width, height and rgba. Error kind graphics when the driver has no room.
+  /// drawn in, which spread light reaches. Fills width, height and rgba. Error kind graphics when the driver has no room.
   Expected<void> run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, const BloomLight& bloom, FloatImage& image);
 
  private:

@@ -129,11 +129,17 @@ TEST_F(Blooming, TheSameAfterAnyOtherPicture) {
   EXPECT_EQ(draw(flash(), true).rgba, first.rgba);
 }
 
-TEST_F(Blooming, LinearLightIsKeptAsItWas) {
-  const auto made = flash();
+TEST_F(Blooming, LinearLightSpreadsWithoutMoreCover) {
+  const auto made = flash(1.5);
   FloatImage images[2];
-  for (int on = 0; on < 2; ++on) ASSERT_TRUE(renderer_->drawToFloats(sceneOf(made, on == 1), front(180), 320, 180, {}, images[on]));
-  EXPECT_EQ(images[0].rgba, images[1].rgba);
+  double light[2] = {}, cover[2] = {};
+  for (int on = 0; on < 2; ++on) {
+    ASSERT_TRUE(renderer_->drawToFloats(sceneOf(made, on == 1, Background::Kind::transparent), front(180), 320, 180, {}, images[on]));
+    for (std::size_t i = 0; i < images[on].rgba.size(); ++i) (i % 4 == 3 ? cover : light)[on] += static_cast<double>(images[on].rgba[i]);
+  }
+  EXPECT_NE(images[0].rgba, images[1].rgba);
+  EXPECT_NEAR(light[1], light[0], 0.03 * light[0]);
+  EXPECT_EQ(cover[1], cover[0]);
 }
 
 TEST_F(Blooming, TinyPicturesAreDrawn) {

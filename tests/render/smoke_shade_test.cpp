@@ -80,7 +80,7 @@ TEST(SmokeShade, TheInsideSeesLessSkyThanTheOutside) {
 }
 
 TEST(SmokeShade, HidesFromAnEyeWhatThickSmokeStandsBefore) {
-  const auto thick = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 0.8), thin = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 0.004);
+  const auto thick = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 1.0), thin = ball({0.0, 20.0, 0.0}, 10.0, 3.0, 0.004);
   for (const Vec3& eye : {Vec3{0.0, 20.0, 50.0}, Vec3{40.0, 30.0, -20.0}, Vec3{5.0, 80.0, 5.0}}) {
     SmokeShade shade;
     shade.build(thick.frame, thick.layers, kSun);
