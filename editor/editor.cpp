@@ -2,8 +2,10 @@
 
 #include "editor/layout.h"
 #include "editor/mission/session.h"
+#include "editor/panels/desk/sheets.h"
 #include "editor/panels/panels.h"
 #include "editor/remember.h"
+#include "editor/ui/picture_store.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,6 +27,8 @@ class RendererPictures final : public Pictures {
     scene.ground_height_m = preset.ground_height_m;
     scene.ground_colour = preset.ground_colour;
     scene.sky = preset.sky;
+    scene.grid = grid;
+    scene.background = behind;
     return id(renderer_.drawToTexture(scene, session.camera, width, height, 0));
   }
 
@@ -69,8 +73,12 @@ class RendererPictures final : public Pictures {
     return marks_;
   }
 
+  ImTextureID file(const std::filesystem::path& path) override { return enabled ? store_.texture(path) : nullptr; }
+
   bool enabled = true;
   Colour background;
+  bool grid = true;
+  render::Background behind;  ///< the explosion
   double scale = 1.0;  ///< of the panels
   std::string fault;
 
@@ -90,10 +98,20 @@ class RendererPictures final : public Pictures {
   }
 
   render::Renderer& renderer_;
+  PictureStore store_;
   std::unique_ptr<render::MissionScene> scene_;
   std::size_t warned_ = 0;  ///< of the scene's warnings that were shown
   std::vector<render::MissionMark> marks_;
 };
+
+/// What `--background` reads, as far as the viewport offers it.
+render::Background backgroundOf(const std::string& text) {
+  if (text == "black") return {render::Background::Kind::colour, {}};
+  if (text == "white") return {render::Background::Kind::colour, {1.0, 1.0, 1.0}};
+  if (!text.starts_with('#')) return {};
+  const auto colour = parseValue(*findParameter(Scope::burst, "ground_colour"), text);
+  return colour ? render::Background{render::Background::Kind::colour, std::get<Colour>(*colour)} : render::Background{};
+}
 
 Colour colourOf(ImU32 packed) {
   const ImVec4 v = ImGui::ColorConvertU32ToFloat4(packed);
@@ -127,8 +145,9 @@ Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options, s
   if (!renderer) return tl::unexpected<Error>(renderer.error());
   auto panels = DrawDataRenderer::create();
   if (!panels) return tl::unexpected<Error>(panels.error());
-  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, desk ? std::move(desk) : std::make_unique<Desk>(options.folders, options.scripted), std::move(*renderer), fonts, std::move(*panels))));
+  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, desk ? std::move(desk) : std::make_unique<Desk>(options.folders, options.program, options.scripted), std::move(*renderer), fonts, std::move(*panels))));
   bringIn(out->desk().settings, out->state());
+  if (!options.folders.settings.empty() && !out->desk().settings.tour_done) out->state().desk.tour = 0;
   Session& session = out->session();
   const bool mission = isMissionFile(options.file);
   if (!options.file.empty())
@@ -153,6 +172,8 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   my.pictures.enabled = pictures;
   my.pictures.scale = static_cast<double>(my.options.scale);
   my.pictures.background = colourOf(my.theme.background);
+  my.pictures.grid = my.state.desk.view.grid;
+  my.pictures.behind = backgroundOf(my.state.desk.view.background);
   my.items.beginFrame();
   my.state.hint.clear();
   my.state.hover.seen = false;
@@ -162,6 +183,7 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   my.desk->update(elapsed_s, my.session);
   ImGui::PushFont(my.fonts.text);
   drawLayout(ui);
+  drawTour(ui);
   ImGui::PopFont();
   noteDown(my.state, my.desk->settings);
   // A drag is over when nothing is held any more: what it changed is one step of the history.

@@ -94,9 +94,14 @@ void addMission(const MissionSession& mission, const UiState& state, Facts& out)
 void addDesk(const Editor& editor, Facts& out) {
   constexpr const char* kSheets[] = {"none", "history", "find", "messages", "export"};
   const Recovery& recovery = editor.desk().recovery();
+  const DeskUi::View& view = editor.state().desk.view;
   out.insert(out.end(), {
       {"autosaved", yes(recovery.safe(editor.session()))}, {"unsaved", std::to_string(recovery.found().size())}, {"outside", yes(editor.session().outside())},
       {"sheet", kSheets[static_cast<int>(editor.state().desk.sheet)]}, {"theme", editor.state().light ? "light" : "dark"},
+      {"exports", std::to_string(editor.desk().exports().jobs().size())}, {"exporting", std::to_string(editor.desk().exports().running())},
+      {"grid", yes(view.grid)}, {"extent", yes(view.extent)}, {"background", view.background}, {"quality", view.quality}, {"share", shortest(view.share)},
+      {"ruler.length", shortest(view.points == 2 ? length(view.ends[1] - view.ends[0]) : 0.0)}, {"tour", std::to_string(editor.state().desk.tour + 1)},
+      {"favourites", std::to_string(editor.desk().settings.favourites.size())}, {"recent", editor.desk().settings.recent.empty() ? "" : editor.desk().settings.recent.front()},
   });
 }
 

@@ -30,6 +30,12 @@ constexpr Flag kFlags[] = {{&Settings::light, &UiState::light}, {&Settings::show
 void bringIn(const Settings& settings, UiState& state) {
   for (const Length& length : kLengths) length.shown(state) = static_cast<float>(settings.*length.saved);
   for (const Flag& flag : kFlags) state.*flag.shown = settings.*flag.saved;
+  DeskUi::View& view = state.desk.view;
+  view.grid = settings.show_grid;
+  view.extent = settings.show_extent;
+  view.background = settings.background;
+  view.quality = settings.quality;
+  view.bookmarks = settings.bookmarks;
 }
 
 void noteDown(const UiState& state, Settings& settings) {
@@ -37,6 +43,12 @@ void noteDown(const UiState& state, Settings& settings) {
   UiState& readable = const_cast<UiState&>(state);
   for (const Length& length : kLengths) settings.*length.saved = std::round(static_cast<double>(length.shown(readable)));
   for (const Flag& flag : kFlags) settings.*flag.saved = state.*flag.shown;
+  const DeskUi::View& view = state.desk.view;
+  settings.show_grid = view.grid;
+  settings.show_extent = view.extent;
+  settings.background = view.background;
+  settings.quality = view.quality;
+  settings.bookmarks = view.bookmarks;
 }
 
 }  // namespace npsee::editor

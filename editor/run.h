@@ -17,6 +17,7 @@ struct EditorOptions {
   std::filesystem::path missions = {};  ///< folder of the shipped missions; empty = none
   std::optional<double> time_s;   ///< start paused at this moment instead of playing
   float scale = 1.0f;             ///< of the display
+  std::filesystem::path program = {};  ///< the npsee that renders thumbnails and exports; empty = none
   DeskFolders folders = {};       ///< where settings, unsaved work and thumbnails are kept; empty = nowhere
   bool scripted = false;          ///< every frame waits for the compiler, nothing measured is shown
 };

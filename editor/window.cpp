@@ -43,6 +43,7 @@ void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
       until_closed = 2;
     }
     if (until_closed >= 0 && !input.waiting() && until_closed-- == 0) editor.session().quit();
+    if (const auto dropped = input.takeDropped(); !dropped.empty()) editor.session().drop(dropped);
     const float measured = drawFrame(editor, input, window, ms);
     ms = ms ? *ms + 0.1f * (measured - *ms) : measured;
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
@@ -52,7 +53,7 @@ void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
 }  // namespace
 
 Expected<void> runWindow(const WindowedOptions& options, const std::function<void(const std::string&)>& print) {
-  auto desk = std::make_unique<Desk>(options.editor.folders, false);
+  auto desk = std::make_unique<Desk>(options.editor.folders, options.editor.program, false);
   const Settings& last = desk->settings;
   const bool known = !options.sized && last.window_width >= 800.0 && last.window_height >= 500.0;
   auto context = gl::makeWindowContext({"npsee", known ? static_cast<int>(last.window_width) : options.width, known ? static_cast<int>(last.window_height) : options.height});

@@ -21,6 +21,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window), x_(-FLT_MAX), y_
 WindowInput::~WindowInput() {
   ImGui_ImplGlfw_Shutdown();
   glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
@@ -28,6 +29,9 @@ void WindowInput::listen() {
   // The backend's own handlers of focus, wheel and characters stay; these three would lose what is shorter than a frame.
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)});
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->dropped_.assign(paths, paths + count);
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::button, .code = button, .action = action});

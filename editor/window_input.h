@@ -2,7 +2,9 @@
 
 #include <array>
 #include <deque>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -22,6 +24,8 @@ class WindowInput {
   void newFrame();
   /// True while events wait for the next frame.
   bool waiting() const { return !events_.empty(); }
+  /// Files dropped on the window since the last call.
+  std::vector<std::filesystem::path> takeDropped() { return std::exchange(dropped_, {}); }
 
  private:
   struct Event {
@@ -35,6 +39,7 @@ class WindowInput {
   std::deque<Event> events_;
   float x_, y_;
   std::array<bool, 3> down_{};
+  std::vector<std::filesystem::path> dropped_;
 };
 
 }  // namespace npsee::editor

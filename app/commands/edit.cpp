@@ -56,6 +56,7 @@ Expected<editor::EditorOptions> editorOptions(const Options& options) {
   // A script is to show the same pictures for everybody, whatever they have set.
   if (!options.headless || options.remember) out.folders = editor::xdgFolders();
   std::error_code ignored;
+  out.program = fs::read_symlink("/proc/self/exe", ignored);
   if (!options.library.empty() && !fs::is_directory(options.library, ignored)) return fail(ErrorKind::input, "--library " + options.library + " is no folder.", "Name a folder with presets.");
   if (!options.time.empty()) {
     const auto time = parseQuantity(options.time, Unit::second);

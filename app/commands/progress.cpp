@@ -21,7 +21,8 @@ Expected<ProgressMode> readProgress(const std::string& text) {
   if (text.empty() || text == "auto") return ProgressMode::terminal;
   if (text == "never") return ProgressMode::never;
   if (text == "always") return ProgressMode::lines;
-  return fail(ErrorKind::usage, "--progress " + text + ": there is no such way to show progress.", "Write auto, never or always.");
+  if (text == "steps") return ProgressMode::steps;
+  return fail(ErrorKind::usage, "--progress " + text + ": there is no such way to show progress.", "Write auto, never or always; steps is for programs that show it.");
 }
 
 Progress::Progress(std::string what, std::size_t total, ProgressMode mode) : what_(std::move(what)), total_(total), mode_(mode), begin_(Clock::now()), last_(begin_) {
@@ -37,12 +38,12 @@ void Progress::show(std::size_t done) {
   const Clock::time_point now = Clock::now();
   const auto pause = mode_ == ProgressMode::lines ? std::chrono::milliseconds(5000) : std::chrono::milliseconds(100);
   // In a log the end is worth a line too.
-  const bool end = mode_ == ProgressMode::lines && done == total_;
+  const bool end = mode_ != ProgressMode::terminal && done == total_;
   if (shown_ && now - last_ < pause && !end) return;
   last_ = now;
   shown_ = true;
   const std::string text = progressText(what_, done, total_, std::chrono::duration<double>(now - begin_).count());
-  std::fprintf(stderr, mode_ == ProgressMode::lines ? "%s\n" : "\r\x1b[K%s", text.c_str());
+  std::fprintf(stderr, mode_ != ProgressMode::terminal ? "%s\n" : "\r\x1b[K%s", text.c_str());
   std::fflush(stderr);
 }
 

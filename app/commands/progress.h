@@ -8,10 +8,11 @@
 
 namespace npsee::commands {
 
-/// Where the count goes: a line that rewrites itself on a terminal, nowhere, or lines of their own now and then (for logs).
-enum class ProgressMode { terminal, never, lines };
+/// Where the count goes: a line that rewrites itself on a terminal, nowhere, lines of their own now and then (for logs), or
+/// often (for programs that show it).
+enum class ProgressMode { terminal, never, lines, steps };
 
-/// "auto" (or empty), "never", "always". Error kind usage.
+/// "auto" (or empty), "never", "always", "steps". Error kind usage.
 Expected<ProgressMode> readProgress(const std::string& text);
 
 /// A count and the time left, on stderr.

@@ -37,7 +37,7 @@ void addPipelineOptions(CLI::App& command, RenderOptions& o) {
   command.add_flag("--dry-run", o.dry_run, "Write nothing; print what would be written, with --resume only what is left")->group("Pipeline");
   command.add_flag("--verify", o.verify, "Write nothing; exit 1 and name the files that are missing, damaged or made from something else")->group("Pipeline");
   option("--summary", o.summary, "What is printed: text (default: the files written) or json", "FORMAT");
-  option("--progress", o.progress, "Count and time left on stderr: auto (default: on a terminal), never, always (lines, for logs)", "WHEN");
+  option("--progress", o.progress, "Count and time left on stderr: auto (default: on a terminal), never, always (lines, for logs), steps (many lines, for programs)", "WHEN");
 }
 
 void addGoldenOptions(CLI::App& command, RenderOptions& o) {

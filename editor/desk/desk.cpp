@@ -1,5 +1,10 @@
 #include "editor/desk/desk.h"
 
+#include "editor/mission/document.h"
+#include "sim/core/files.h"
+#include "sim/core/sha256.h"
+
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -14,7 +19,8 @@ fs::path fileOf(const fs::path& folder, const char* name) { return folder.empty(
 
 }  // namespace
 
-Desk::Desk(const DeskFolders& folders, bool wait) : folders_(folders), wait_(wait), recovery_(fileOf(folders.state, "unsaved"), writer_) {
+Desk::Desk(const DeskFolders& folders, const fs::path& program, bool wait)
+    : folders_(folders), wait_(wait), recovery_(fileOf(folders.state, "unsaved"), writer_), thumbnails_(folders.cache, program), exports_(program) {
   auto loaded = loadSettings(fileOf(folders_.settings, "settings.json"));
   settings = saved_ = std::move(loaded.settings);
   problem_ = std::move(loaded.problem);
@@ -25,6 +31,12 @@ void Desk::update(double elapsed_s, Session& session) {
   noteFile(session);
   recovery_.update(elapsed_s, session, wait_);
   saveSettings(elapsed_s);
+  watchLibrary(elapsed_s, session);
+  thumbnails_.update(wait_);
+  if (auto told = exports_.update(false)) {
+    if (told->starts_with("The ")) session.notices.error = *told;
+    else session.notices.note = *told;
+  }
   if (auto wrong = writer_.takeError()) session.notices.error = "What is unsaved or set cannot be kept for the next start.\n  " + *wrong;
   noteMessages(session.notices);
 }
@@ -57,6 +69,70 @@ void Desk::saveSettings(double elapsed_s) {
   unsaved_s_ = 0.0;
   saved_ = settings;
   writer_.write(folders_.settings / "settings.json", settingsText(settings));
+}
+
+const LibraryEntry& Desk::entry(const fs::path& file) {
+  const FileStamp stamp = stampOf(file);
+  auto& [known, held] = entries_[file];
+  if (known == stamp && !held.path.empty()) return held;
+  known = stamp;
+  const auto take = [&](const auto& document) {
+    if (document) held = {file, document->title, document->description, {}, true};
+    else held = {file, {}, document.error().text(), {}, false};
+  };
+  if (isMissionFile(file)) {
+    take(loadScenario(file));
+  } else {
+    const auto preset = loadPreset(file);
+    take(preset);
+    if (preset) held.tags = preset->tags;
+  }
+  return held;
+}
+
+bool Desk::favourite(const fs::path& file) const { return std::ranges::find(settings.favourites, file.string()) != settings.favourites.end(); }
+
+void Desk::flipFavourite(const fs::path& file) {
+  if (std::erase(settings.favourites, file.string()) == 0) settings.favourites.push_back(file.string());
+}
+
+/// Files that come, go or change in the library's folder show without a restart.
+void Desk::watchLibrary(double elapsed_s, Session& session) {
+  constexpr double kEvery_s = 1.0;
+  unwatched_s_ += elapsed_s;
+  if (unwatched_s_ < kEvery_s && !library_stamps_.empty()) return;
+  unwatched_s_ = 0.0;
+  std::vector<FileStamp> now;
+  for (const fs::path& folder : {session.options().library, session.options().missions}) now.push_back(stampOf(folder));
+  for (const auto* list : {&session.presets(), &session.missionFiles()})
+    for (const LibraryEntry& entry : *list) now.push_back(stampOf(entry.path));
+  if (now == library_stamps_) return;
+  if (!std::exchange(library_stamps_, std::move(now)).empty()) session.readLibraries();
+}
+
+Expected<std::string> Desk::commandLine(const Document& document, const ExportChoice& choice, const ExportView& view) {
+  std::error_code ignored;
+  const auto line = [&](const fs::path& file, const std::vector<std::string>& settings_of) {
+    std::vector<std::string> words{"npsee"};
+    const auto arguments = renderArguments(file, settings_of, choice, view);
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return shellLine(words);
+  };
+  if (!document.path().empty())
+    if (const auto held = loadPreset(document.path()))
+      if (const auto changes = settingsBetween(*held, document.preset())) return line(fs::absolute(document.path(), ignored), *changes);
+  if (folders_.state.empty()) return fail(ErrorKind::usage, "A command line needs a file: these changes cannot be written with --set.", "Save the preset first.");
+  const std::string text = document.text();
+  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text).substr(0, 12) + ".npsee.json");
+  fs::create_directories(copy.parent_path(), ignored);
+  if (auto written = writeFileAtomically(copy, text); !written) return tl::unexpected<Error>(written.error());
+  return line(copy, {});
+}
+
+void Desk::settle(Session& session) {
+  thumbnails_.update(true);
+  if (const auto told = exports_.update(true)) (told->starts_with("The ") ? session.notices.error : session.notices.note) = *told;
+  noteMessages(session.notices);
 }
 
 void Desk::finish(bool asked) {

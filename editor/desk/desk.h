@@ -1,26 +1,45 @@
 #pragma once
 
+#include "editor/desk/exports.h"
 #include "editor/desk/folders.h"
 #include "editor/desk/recovery.h"
 #include "editor/desk/settings.h"
+#include "editor/desk/thumbnails.h"
 #include "editor/desk/writer.h"
 
 #include <deque>
+#include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace npsee::editor {
 
 /// What lies around the documents: settings, unsaved work, messages. No ImGui, no GL.
 class Desk {
  public:
-  /// `wait`: scripts see everything on the disk at once.
-  Desk(const DeskFolders& folders, bool wait);
+  /// `program`: the npsee that renders thumbnails and exports. `wait`: scripts see everything on the disk at once.
+  Desk(const DeskFolders& folders, const std::filesystem::path& program, bool wait);
 
   Settings settings;
   Recovery& recovery() { return recovery_; }
   const Recovery& recovery() const { return recovery_; }
   const DeskFolders& folders() const { return folders_; }
-  Writer& writer() { return writer_; }
+  Thumbnails& thumbnails() { return thumbnails_; }
+  Exports& exports() { return exports_; }
+  const Exports& exports() const { return exports_; }
+
+  /// What a list shows of a preset or mission file, read again only when it has changed.
+  const LibraryEntry& entry(const std::filesystem::path& file);
+  bool favourite(const std::filesystem::path& file) const;
+  void flipFavourite(const std::filesystem::path& file);
+
+  /// The `npsee render` line that makes the same picture as an export now: of the document's file, with `--set` for what is not saved, or,
+  /// where that does not suffice, of a copy in the state folder. Error kinds output and usage.
+  Expected<std::string> commandLine(const Document& document, const ExportChoice& choice, const ExportView& view);
+  /// Returns when thumbnails and exports are done: for scripts.
+  void settle(Session& session);
 
   /// What the person was told, newest last.
   struct Message {
@@ -38,11 +57,17 @@ class Desk {
   void noteMessages(const Notices& notices);
   void noteFile(const Session& session);
   void saveSettings(double elapsed_s);
+  void watchLibrary(double elapsed_s, Session& session);
 
   DeskFolders folders_;
   bool wait_;
   Writer writer_;
   Recovery recovery_;
+  Thumbnails thumbnails_;
+  Exports exports_;
+  std::map<std::filesystem::path, std::pair<FileStamp, LibraryEntry>> entries_;
+  double unwatched_s_ = 0.0;  ///< since the library was last looked at
+  std::vector<FileStamp> library_stamps_;
   std::string problem_;      ///< found while starting, not yet told
   Settings saved_;
   double unsaved_s_ = 0.0;   ///< since the settings were changed

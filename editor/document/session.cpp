@@ -30,8 +30,10 @@ std::vector<LibraryEntry> readLibrary(const fs::path& folder, std::string_view e
     if (entry.folder || !entry.name.ends_with(ending)) continue;
     const fs::path path = fs::absolute(folder).lexically_normal() / entry.name;
     const auto document = load(path);
-    if (document) out.push_back({path, document->title, document->description, true});
-    else out.push_back({path, {}, document.error().text(), false});
+    if (!document) out.push_back({path, {}, document.error().text(), {}, false});
+    else out.push_back({path, document->title, document->description, {}, true});
+    if constexpr (requires { document->tags; })
+      if (document) out.back().tags = document->tags;
   }
   return out;
 }
@@ -39,8 +41,14 @@ std::vector<LibraryEntry> readLibrary(const fs::path& folder, std::string_view e
 }  // namespace
 
 Session::Session(SessionOptions options)
-    : options_(std::move(options)), library_(readLibrary(options_.library, ".npsee.json", loadPreset)), missions_(readLibrary(options_.missions, ".mission.json", loadScenario)),
-      mission_(std::make_unique<MissionSession>(MissionSessionOptions{options_.wait_for_compile})) {}
+    : options_(std::move(options)), mission_(std::make_unique<MissionSession>(MissionSessionOptions{options_.wait_for_compile})) {
+  readLibraries();
+}
+
+void Session::readLibraries() {
+  library_ = readLibrary(options_.library, ".npsee.json", loadPreset);
+  missions_ = readLibrary(options_.missions, ".mission.json", loadScenario);
+}
 
 Session::~Session() = default;
 

@@ -42,6 +42,7 @@ struct FilePanel {
 struct LibraryEntry {
   std::filesystem::path path;
   std::string title, description;
+  std::string tags;  ///< of a preset, with commas
   bool readable = true;
 };
 
@@ -158,6 +159,13 @@ class Session {
   const std::vector<LibraryEntry>& library() const { return inMission() ? missions_ : library_; }
 
   const std::vector<LibraryEntry>& presets() const { return library_; }
+  const std::vector<LibraryEntry>& missionFiles() const { return missions_; }
+  /// Reads the libraries' folders again.
+  void readLibraries();
+  const SessionOptions& options() const { return options_; }
+
+  /// Files or a folder that were dropped on the window: the first one is opened, a folder shown.
+  void drop(const std::vector<std::filesystem::path>& paths);
 
   /// Presets to compare with; comparing begins where nothing was compared.
   void keepForComparing();

@@ -181,6 +181,22 @@ void Session::showFiles(FilePanel::Mode wanted) {
   files.listing = listFolder(start);
 }
 
+void Session::drop(const std::vector<fs::path>& paths) {
+  if (paths.empty()) return;
+  const fs::path& first = paths.front();
+  std::error_code ignored;
+  if (fs::is_directory(first, ignored)) {
+    showFiles(FilePanel::Mode::open);
+    return enterFolder(first);
+  }
+  if (first.extension() != ".json") {
+    notices.error = first.filename().string() + " is neither a preset nor a mission.\n  Drop a *.npsee.json or *.mission.json file, or a folder with some.";
+    return;
+  }
+  open(first);
+  if (paths.size() > 1 && notices.error.empty()) notices.note = "Opened the first of " + std::to_string(paths.size()) + " files: one is worked on at a time.";
+}
+
 void Session::enterFolder(const fs::path& folder) { files.listing = listFolder(folder); }
 
 void Session::confirmFiles() {

@@ -1,4 +1,3 @@
-#include "editor/mission/document.h"
 #include "editor/panels/panels.h"
 #include "editor/ui/controls.h"
 
@@ -67,51 +66,6 @@ void drawFilePanel(const PanelContext& ui) {
   const bool escaped = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (entered || confirmed) session.confirmFiles();
   else if (cancelled || escaped) session.closeFiles();
-}
-
-namespace {
-
-/// A preset with its title over the file's name.
-void libraryLine(const PanelContext& ui, const LibraryEntry& entry, bool open) {
-  const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(44), inset = ui.px(10);
-  const std::string item = (isMissionFile(entry.path) ? "mission:" : "preset:") + name;
-  const bool clicked = ImGui::InvisibleButton(item.c_str(), ImVec2(width, height));
-  ui.item(item);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (open || ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, ui.theme.raised, ui.px(4));
-  if (open) list.AddRectFilled({at.x, at.y + ui.px(8)}, {at.x + ui.px(3), at.y + height - ui.px(8)}, ui.theme.accent, ui.px(1));
-  rowText({at.x + inset, at.y + ui.px(3)}, width - 2.0f * inset, ui.px(22), !entry.readable ? ui.theme.error : open ? ui.theme.accent : ui.theme.text, entry.title.empty() ? name : entry.title);
-  ImGui::PushFont(ui.fonts.small);
-  rowText({at.x + inset, at.y + ui.px(22)}, width - 2.0f * inset, ui.px(18), ui.theme.dim, entry.readable ? name : "cannot be read");
-  ImGui::PopFont();
-  if (ui.resting(item, entry.path.string()) && !entry.description.empty()) tooltip(ui, entry.description);
-  if (clicked && !open) ui.session.open(entry.path);
-}
-
-}  // namespace
-
-void drawLibraryPanel(const PanelContext& ui) {
-  heading(ui, "Library");
-  drawLibraryList(ui);
-}
-
-void drawLibraryList(const PanelContext& ui) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(2)));
-  ImGui::BeginChild("library", ImVec2(0, 0));
-  ImGui::Dummy(ImVec2(1, ui.px(2)));
-  std::error_code ignored;
-  const auto& path = ui.session.file().path();
-  const std::filesystem::path now = path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal();
-  for (const LibraryEntry& entry : ui.session.library()) libraryLine(ui, entry, entry.path == now);
-  if (ui.session.library().empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("Nothing shipped was found. File > Open shows any folder.");
-    ImGui::PopTextWrapPos();
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace npsee::editor

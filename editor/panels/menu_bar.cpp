@@ -81,9 +81,9 @@ void drawMenuBar(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(30) - ImGui::GetFontSize()))));
   beginMenuStyle(ui);
   if (ImGui::BeginMenuBar()) {
-    const std::array<std::string_view, 7> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Design", "Time", "Help"};
+    const std::array<std::string_view, 8> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Design", "Time", "Export", "Help"};
     for (const std::string_view menu : menus)
-      if (menu != "Design" || !ui.session.inMission()) drawMenu(ui, menu);
+      if ((menu != "Design" && menu != "Export") || !ui.session.inMission()) drawMenu(ui, menu);
     drawModes(ui);
     drawTitle(ui);
     ImGui::EndMenuBar();

@@ -1,4 +1,5 @@
 #include "editor/document/camera_moves.h"
+#include "editor/panels/desk/view_tools.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/time_overlays.h"
 #include "editor/panels/compare_view.h"
@@ -82,14 +83,18 @@ void drawViewport(const PanelContext& ui) {
   ui.item("viewport");
   ImGui::SetItemAllowOverlap();  // switches lie on it
   steer(ui, box);
+  handleRuler(ui, box);
   ui.resting("viewport", "Left drag turns, middle drag shifts, the wheel moves nearer; F shows everything, F1 lists all keys.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(box.at, box.end(), ui.theme.background);
-  if (const ImTextureID texture = ui.pictures.explosion(ui.session, static_cast<int>(box.width), static_cast<int>(box.height)))
+  adaptQuality(ui);
+  const auto share = static_cast<float>(ui.state.desk.view.share);
+  if (const ImTextureID texture = ui.pictures.explosion(ui.session, static_cast<int>(box.width * share), static_cast<int>(box.height * share)))
     list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
   drawCompare(ui, box);
   drawOverlays(ui, box);
   drawTimeOverlays(ui, box);
+  drawViewTools(ui, box);
 }
 
 }  // namespace npsee::editor

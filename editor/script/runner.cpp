@@ -109,6 +109,13 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
     steps_.push_back({});
   } else if (name == "clipboard") {
     ImGui::SetClipboardText(command.arguments.empty() ? "" : command.arguments[0].c_str());
+  } else if (name == "drop") {
+    editor.session().drop({command.arguments[0]});
+    steps_.push_back({});
+    steps_.push_back({});
+  } else if (name == "settle") {
+    editor.desk().settle(editor.session());
+    steps_.push_back({});
   } else if (name == "save") {
     steps_.push_back({.picture = command.arguments[0]});
   } else if (name == "note") {

@@ -10,6 +10,7 @@
 
 #include <npsee/parameters.h>
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,6 +31,8 @@ class Pictures {
   /// The mission at the moment shown, as its camera sees it; and where its things stand in that picture. Null and empty before there
   /// is a recording.
   virtual ImTextureID mission(const MissionSession& session, int width, int height) = 0;
+  /// A picture file; null where it cannot be read.
+  virtual ImTextureID file(const std::filesystem::path& path) = 0;
   virtual const std::vector<render::MissionMark>& marks(const MissionSession& session, int width, int height) = 0;
 };
 

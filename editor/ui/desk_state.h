@@ -1,6 +1,12 @@
 #pragma once
 
+#include "editor/desk/exports.h"
+
+#include <npsee/vec3.h>
+
+#include <array>
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -16,6 +22,37 @@ struct DeskUi {
     bool fresh = true;     ///< the field has not had the focus yet
     bool follow = false;   ///< the chosen line is to be scrolled into view
   } palette;
+
+  struct Library {
+    enum class Show { all, favourites, recent } show = Show::all;
+    std::string word, tag;
+  } library;
+
+  struct Export {
+    ExportChoice choice;
+    std::string folder, file;  ///< as typed
+    std::string file_of;       ///< kind and document that the file name was made for
+    std::string size;          ///< as typed; empty = that of the choice
+    std::string wrong;         ///< about what was typed
+  } exports;
+
+  /// The picture of the explosion: what is laid over it, and how finely it is drawn.
+  struct View {
+    bool grid = true, extent = false;
+    std::string background = "sky";     ///< as `--background` reads it
+    std::string quality = "automatic";  ///< or fine, normal, draft
+    std::vector<std::string> bookmarks;
+
+    bool ruler = false;                 ///< clicks set its ends
+    std::array<Vec3, 2> ends;
+    int points = 0;
+
+    double share = 1.0;                 ///< of the pixels' number across at which it is drawn now
+    double interval_s = 1.0 / 60.0;     ///< between frames while something moves, smoothed
+    double moved_s = 0.0;               ///< since something began to move
+    double rested_s = 1.0;              ///< since something moved
+    std::string seen;                   ///< the camera of the last frame
+  } view;
 
   int tour = -1;           ///< hint shown; -1 = none
 };

@@ -1,4 +1,6 @@
 #include "editor/panels/actions.h"
+#include "editor/panels/desk/sheets.h"
+#include "editor/panels/desk/view_tools.h"
 
 #include <array>
 
@@ -21,9 +23,56 @@ bool shows(Ui ui) {
   return ui.state.desk.sheet == sheet;
 }
 
+template <ExportKind kind>
+void exportAs(Ui ui) {
+  openExport(ui, kind);
+}
+
+template <std::size_t index>
+void keep(Ui ui) {
+  keepBookmark(ui, index);
+}
+template <std::size_t index>
+void go(Ui ui) {
+  goToBookmark(ui, index);
+}
+
+/// A view along an axis that has the whole effect in sight.
+void lookAlong(Ui ui, const char* name) {
+  if (ui.session.explosion() == nullptr) return;
+  if (const auto camera = render::parseCamera(name, ui.session.explosion()->extent(), ui.session.aspect())) ui.session.camera = *camera;
+}
+
+void flipRuler(Ui ui) {
+  ui.state.desk.view.ruler = !ui.state.desk.view.ruler;
+  ui.state.desk.view.points = 0;
+}
+
+constexpr auto kExplosion = WorkMode::explosion;
+
 const std::array kDesk{
+    Action{"View", "From behind", "4", [](Ui ui) { lookAlong(ui, "back"); }, nullptr, nullptr, true, kExplosion},
+    Action{"View", "From the left", "5", [](Ui ui) { lookAlong(ui, "left"); }, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Extent box", "B", [](Ui ui) { ui.state.desk.view.extent = !ui.state.desk.view.extent; }, nullptr, [](Ui ui) { return ui.state.desk.view.extent; }, true, kExplosion},
+    Action{"View", "Ground grid", "G", [](Ui ui) { ui.state.desk.view.grid = !ui.state.desk.view.grid; }, nullptr, [](Ui ui) { return ui.state.desk.view.grid; }, false, kExplosion},
+    Action{"View", "Ruler", "R", flipRuler, nullptr, [](Ui ui) { return ui.state.desk.view.ruler; }, false, kExplosion},
+    Action{"View", "Go to bookmark 1", "ctrl+1", go<0>, nullptr, nullptr, true, kExplosion},
+    Action{"View", "Go to bookmark 2", "ctrl+2", go<1>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Go to bookmark 3", "ctrl+3", go<2>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Go to bookmark 4", "ctrl+4", go<3>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Keep bookmark 1", "ctrl+shift+1", keep<0>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Keep bookmark 2", "ctrl+shift+2", keep<1>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Keep bookmark 3", "ctrl+shift+3", keep<2>, nullptr, nullptr, false, kExplosion},
+    Action{"View", "Keep bookmark 4", "ctrl+shift+4", keep<3>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Export picture", "ctrl+E", exportAs<ExportKind::picture>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Export sequence", "", exportAs<ExportKind::sequence>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Export contact sheet", "", exportAs<ExportKind::contact_sheet>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Export sprite sheet", "", exportAs<ExportKind::sprite_sheet>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Export video", "", exportAs<ExportKind::video>, nullptr, nullptr, false, kExplosion},
+    Action{"Export", "Copy command line", "ctrl+shift+E", copyCommandLine, nullptr, nullptr, true, kExplosion},
     Action{"Edit", "History", "ctrl+H", flip<Sheet::history>, nullptr, shows<Sheet::history>, true},
     Action{"Edit", "Find command or parameter", "ctrl+P", flip<Sheet::palette>, nullptr, shows<Sheet::palette>},
+    Action{"Help", "First steps", "", [](Ui ui) { ui.state.desk.tour = 0; }, nullptr, nullptr, false, kExplosion},
     Action{"Help", "Messages", "", flip<Sheet::messages>, nullptr, shows<Sheet::messages>},
 };
 

@@ -13,7 +13,7 @@ void drawSheet(const PanelContext& ui) {
     case Sheet::history: drawHistorySheet(ui); break;
     case Sheet::palette: drawPaletteSheet(ui); break;
     case Sheet::messages: drawMessagesSheet(ui); break;
-    case Sheet::exports: break;
+    case Sheet::exports: drawExportSheet(ui); break;
     case Sheet::none: return;
   }
   // The question about unsaved work and fields keep their Escape.

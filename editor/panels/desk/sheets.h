@@ -19,5 +19,13 @@ void drawHistorySheet(const PanelContext& ui);
 void drawMessagesSheet(const PanelContext& ui);
 /// Commands, parameters and presets by a few letters of their name.
 void drawPaletteSheet(const PanelContext& ui);
+/// Pictures, sequences, sheets and videos, made beside the editing.
+void drawExportSheet(const PanelContext& ui);
+void openExport(const PanelContext& ui, ExportKind kind);
+/// Puts the `npsee render` line of the export that is set up on the clipboard.
+void copyCommandLine(const PanelContext& ui);
+
+/// The hints of the first start, one beside what it tells of.
+void drawTour(const PanelContext& ui);
 
 }  // namespace npsee::editor

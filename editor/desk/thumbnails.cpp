@@ -1,0 +1,101 @@
+#include "editor/desk/thumbnails.h"
+
+#include "app/render/shipped_assets.h"
+#include "sim/core/files.h"
+#include "sim/core/sha256.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace npsee::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pictures kept in the cache; about 30 kB each.
+constexpr std::size_t kMostKept = 1000;
+constexpr std::string_view kEnding = ".npsee.json";
+
+bool there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+/// The picture that is shipped beside a preset which nobody has changed.
+fs::path shippedPicture(const fs::path& preset, std::string_view text) {
+  const std::string file = preset.filename().string();
+  if (!file.ends_with(kEnding)) return {};
+  const std::string name = file.substr(0, file.size() - kEnding.size());
+  const auto assets = render::shippedPresets();
+  const bool same = std::ranges::any_of(assets, [&](const render::ShippedAsset& asset) { return asset.name == name && asset.text == text; });
+  const fs::path picture = preset.parent_path() / "thumbnails" / (name + ".png");
+  return same && there(picture) ? picture : fs::path();
+}
+
+}  // namespace
+
+Thumbnails::Thumbnails(fs::path cache, fs::path program) : folder_(cache.empty() ? fs::path() : cache / "thumbnails"), program_(std::move(program)) {
+  if (!folder_.empty()) prune();
+}
+
+/// A cache may not grow for ever: the oldest pictures go.
+void Thumbnails::prune() const {
+  std::error_code error;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  for (auto entry = fs::directory_iterator(folder_, error); !error && entry != fs::end(entry); entry.increment(error)) {
+    std::error_code ignored;
+    files.emplace_back(entry->last_write_time(ignored), entry->path());
+  }
+  if (files.size() <= kMostKept) return;
+  std::ranges::sort(files);
+  for (std::size_t i = 0; i + kMostKept / 2 < files.size(); ++i) fs::remove(files[i].second, error);
+}
+
+fs::path Thumbnails::picture(const fs::path& preset) {
+  const FileStamp stamp = stampOf(preset);
+  auto known = known_.find(preset);
+  if (known == known_.end() || known->second.stamp != stamp) known = known_.insert_or_assign(preset, look(preset, stamp)).first;
+  const fs::path& picture = known->second.picture;
+  return picture.empty() || !there(picture) ? fs::path() : picture;
+}
+
+Thumbnails::Known Thumbnails::look(const fs::path& preset, const FileStamp& stamp) {
+  auto text = readTextFile(preset);
+  if (!text) return {stamp, {}};
+  if (fs::path shipped = shippedPicture(preset, *text); !shipped.empty()) return {stamp, std::move(shipped)};
+  if (folder_.empty() || program_.empty()) return {stamp, {}};
+  fs::path picture = folder_ / (sha256(*text) + ".png");
+  if (!there(picture) && asked_.insert(picture).second) wanted_.push_back({std::move(*text), picture});
+  return {stamp, std::move(picture)};
+}
+
+void Thumbnails::startNext() {
+  now_ = std::move(wanted_.front());
+  wanted_.pop_front();
+  std::error_code ignored;
+  fs::create_directories(folder_, ignored);
+  // The bytes whose fingerprint names the picture, whatever the file holds by now.
+  fs::path recipe = now_.picture;
+  recipe.replace_extension(kEnding);
+  if (!writeFileAtomically(recipe, now_.text)) return;
+  auto child = Child::start(program_, {"render", recipe.string(), "-o", now_.picture.string(), "--size", "256x160", "--jobs", "1", "--progress", "never"});
+  if (child) child_ = std::move(*child);
+}
+
+void Thumbnails::update(bool wait) {
+  do {
+    if (child_ && wait) child_->wait();
+    if (child_ && !child_->running()) {
+      child_.reset();
+      fs::path recipe = now_.picture;
+      recipe.replace_extension(kEnding);
+      std::error_code ignored;
+      fs::remove(recipe, ignored);
+    }
+    if (!child_ && !wanted_.empty()) startNext();
+  } while (wait && busy());
+}
+
+}  // namespace npsee::editor

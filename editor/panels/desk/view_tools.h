@@ -1,0 +1,32 @@
+#pragma once
+
+#include "editor/ui/context.h"
+#include "editor/ui/slider.h"
+
+#include <optional>
+
+namespace npsee::editor {
+
+/// Where a point lies in the viewport's picture; nothing behind the eye.
+std::optional<ImVec2> placeInPicture(const render::Camera& camera, const Box& box, const Vec3& point);
+/// The place under a point of the picture: on the ground, or, above the horizon and beyond its far end, on the upright plane through the burst that faces
+/// the camera.
+Vec3 placeUnder(const render::Camera& camera, const Box& box, ImVec2 at, double ground_m);
+
+/// Sets the ruler's ends where the last item, the viewport, is clicked. True while the pointer belongs to the ruler.
+void handleRuler(const PanelContext& ui, const Box& box);
+/// Extent box, ruler and scale, over the picture; then the strip of view tools in its lower right corner.
+void drawViewTools(const PanelContext& ui, const Box& box);
+
+/// Chooses at how many of its pixels the picture is drawn, once a frame: all of them while nothing moves, and while something does as many as
+/// keep up with it.
+void adaptQuality(const PanelContext& ui);
+/// The same from what it depends on: whether something `moves`, and the time since the last frame.
+void adaptQuality(DeskUi::View& view, bool moves, double elapsed_s);
+
+/// Cameras kept under 1 to 4.
+inline constexpr std::size_t kBookmarks = 4;
+void keepBookmark(const PanelContext& ui, std::size_t index);
+void goToBookmark(const PanelContext& ui, std::size_t index);
+
+}  // namespace npsee::editor
