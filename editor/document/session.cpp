@@ -72,13 +72,33 @@ void Session::updateExplosion(double elapsed_s) {
   updateCompared();
   design.ease.update(document.snapshot(), document.hasLayer() ? document.selected() : -1, elapsed_s, scripted());
   if (!explosion_) return;
-  const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
-  explosion_->at(playback.time_s, frame_, render::kSceneFields, threads);
+  evaluate();
   showSolo();
   const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
   sampleLaunch();
   probeLayer();
   alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
+}
+
+/// The frame shown. While the effect is played in a window the next ones are evaluated ahead, on the grid of moments that will be shown.
+void Session::evaluate() {
+  constexpr std::size_t kFewParticles = 2'000;  // evaluated faster than a thread is woken
+  const std::size_t count = explosion_->particleCount();
+  const double step = Playback::kFrame_s * playback.speed;
+  const bool ahead = playback.playing && !options_.wait_for_compile && count >= kFewParticles && count * kFramesAhead <= kMostQueuedParticles;
+  const double shown = ahead ? std::min(onGrid(playback.time_s, step), playback.duration_s) : playback.time_s;
+  if (!ahead || !queue_.take(explosion_.get(), shown, frame_)) {
+    const int threads = count > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
+    explosion_->at(shown, frame_, render::kSceneFields, threads);
+  }
+  if (!ahead) return;
+  // The next frame is expected as long after this one as this came after the last.
+  const double stride = std::clamp(std::round((shown - shown_s_) / step), 1.0, 12.0);
+  shown_s_ = shown;
+  std::vector<double> next;
+  for (int k = 1; k <= kFramesAhead; ++k)
+    if (const double time = (std::round(shown / step) + k * stride) * step; time < playback.duration_s) next.push_back(time);
+  queue_.plan(explosion_, next);
 }
 
 void Session::sampleLaunch() {

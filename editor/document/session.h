@@ -7,6 +7,7 @@
 #include "editor/document/design.h"
 #include "editor/document/document.h"
 #include "editor/document/folder.h"
+#include "editor/document/frame_queue.h"
 #include "editor/document/playback.h"
 
 #include <npsee/explosion.h>
@@ -198,6 +199,7 @@ class Session {
   void watchFile(double elapsed_s);
   void takeCompiled();
   void sampleLaunch();
+  void evaluate();
   void probeLayer();
   void showSolo();
 
@@ -205,6 +207,8 @@ class Session {
   Compiler compiler_;
   std::shared_ptr<const Explosion> explosion_;
   Frame frame_;
+  FrameQueue queue_{render::kSceneFields};
+  double shown_s_ = 0.0;  ///< moment of the last frame that was played
   std::size_t alive_ = 0;
   LaunchSample sample_;
   std::pair<const Explosion*, int> sampled_{nullptr, -1};  ///< what the sample is of

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 
 namespace npsee::editor {
 namespace {
@@ -52,6 +54,52 @@ TEST(Playback, NothingToPlayStaysAtZero) {
   playback.setDuration(0.0);
   playback.advance(1.0);
   EXPECT_EQ(playback.time_s, 0.0);
+}
+
+TEST(FrameQueue, HandsOutTheSameBytesAsADirectEvaluation) {
+  Preset preset = Snapshot::fresh();
+  preset.layers[0].count = 3000;
+  const auto first = Explosion::compile(preset);
+  preset.seed = 7;
+  const auto second = Explosion::compile(preset);
+  ASSERT_TRUE(first && second);
+  FrameQueue queue(render::kSceneFields);
+  Frame direct, queued;
+  int taken = 0;
+  for (int i = 0; i < 400; ++i) {
+    // Seeks, strides and another explosion in between.
+    const auto& explosion = i / 50 % 2 == 0 ? *first : *second;
+    const double step = i % 7 == 0 ? 0.05 : 1.0 / 60.0, time = onGrid(0.013 * (i % 120), step);
+    explosion->at(time, direct, render::kSceneFields);
+    if (queue.take(explosion.get(), time, queued)) {
+      ++taken;
+      ASSERT_EQ(queued.count, direct.count);
+      ASSERT_EQ(queued.x, direct.x) << time;
+      ASSERT_EQ(queued.alive, direct.alive);
+    }
+    queue.plan(explosion, {onGrid(0.013 * ((i + 1) % 120), (i + 1) % 7 == 0 ? 0.05 : 1.0 / 60.0), 1.5, 0.25});
+    std::this_thread::sleep_for(std::chrono::microseconds(i % 3 == 0 ? 0 : 500));
+  }
+  EXPECT_GT(taken, 0);
+}
+
+TEST(Session, APlayedEffectIsShownOnAGridOfMomentsAndAPausedOneExactly) {
+  Session session({});
+  ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, "count"), std::int64_t{3000}).has_value());
+  session.update(0.0);
+  for (int i = 0; i < 50'000 && session.compiling(); ++i) session.update(0.0);
+  session.playback.seek(0.0);
+  Frame direct;
+  for (int i = 0; i < 40; ++i) {
+    session.update(0.0171);
+    session.explosion()->at(onGrid(session.playback.time_s, Playback::kFrame_s), direct, render::kSceneFields);
+    ASSERT_EQ(session.frame().y, direct.y) << i;
+  }
+  session.playback.playing = false;
+  session.playback.seek(0.1234);
+  session.update(0.0);
+  session.explosion()->at(0.1234, direct, render::kSceneFields);
+  EXPECT_EQ(session.frame().y, direct.y);
 }
 
 TEST(Session, EditingKeepsTheMomentAndRecompiles) {

@@ -166,6 +166,16 @@ TEST_F(PresetWindow, ItsCrossSpeaksAfterWhatWasTypedBefore) {
   EXPECT_LT(loadPreset(file_)->layers[0].ejection_angle_rad, 0.85) << "saved before it closed";
 }
 
+TEST_F(PresetWindow, CopiesACommandLineToTheClipboard) {
+  key("Control_L+space");  // nothing: keys with other modifiers are others
+  display_.xdotool({"keydown", "Control_L", "keydown", "Shift_L"});
+  display_.xdotool({"key", "e"});
+  display_.xdotool({"keyup", "Shift_L", "keyup", "Control_L"});
+  key("Control_L+q");
+  const auto end = state();
+  EXPECT_NE(end.at("clipboard").find("npsee render " + file_), std::string::npos) << end.at("clipboard") << end.at("error");
+}
+
 TEST_F(PresetWindow, RemembersItsSize) {
   display_.xdotool({"windowsize", "--sync", window_, "1010", "650"});
   key("Control_L+q");
