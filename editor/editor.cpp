@@ -8,6 +8,7 @@
 #include "editor/ui/picture_store.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 
 namespace npsee::editor {
@@ -108,9 +109,11 @@ class RendererPictures final : public Pictures {
 render::Background backgroundOf(const std::string& text) {
   if (text == "black") return {render::Background::Kind::colour, {}};
   if (text == "white") return {render::Background::Kind::colour, {1.0, 1.0, 1.0}};
-  if (!text.starts_with('#')) return {};
-  const auto colour = parseValue(*findParameter(Scope::burst, "ground_colour"), text);
-  return colour ? render::Background{render::Background::Kind::colour, std::get<Colour>(*colour)} : render::Background{};
+  unsigned packed = 0;
+  const char* const last = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, last, packed, 16).ptr != last) return {};
+  const auto part = [packed](int shift) { return static_cast<double>((packed >> shift) & 255u) / 255.0; };
+  return {render::Background::Kind::colour, {part(16), part(8), part(0)}};
 }
 
 Colour colourOf(ImU32 packed) {

@@ -115,6 +115,8 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
     steps_.push_back({});
   } else if (name == "settle") {
     editor.desk().settle(editor.session());
+    // What is drawn now is found in the frame after.
+    steps_.push_back({});
     steps_.push_back({});
   } else if (name == "save") {
     steps_.push_back({.picture = command.arguments[0]});

@@ -141,12 +141,13 @@ TEST_F(DeskScript, ThumbnailsAreRenderedOnceForEachStateOfAPreset) {
   std::filesystem::create_directories(library);
   std::filesystem::copy_file(classic(), file);
   const auto look = [&](const std::string& picture) {
-    auto words = arguments("click \"button:tour skip\"\nwait 2\nsettle\nwait 2\nsave " + picture + "\n", "");
+    auto words = arguments("wait 2\nsettle\nwait 2\nsave " + picture + "\n", "");
     words.insert(words.end(), {"--library", library, "--time", "0.5"});
     const auto result = test::npseeRun(words, environment());
     EXPECT_EQ(result.exit_code, 0) << result.err;
   };
   const std::string cache = folder_ / "cache/npsee/thumbnails";
+  remembers("click \"button:tour skip\"\nwait 70\n");
   look(folder_ / "1.png");
   EXPECT_EQ(filesIn(cache, ".png"), 1u);
   look(folder_ / "2.png");
@@ -157,8 +158,9 @@ TEST_F(DeskScript, ThumbnailsAreRenderedOnceForEachStateOfAPreset) {
   look(folder_ / "3.png");
   EXPECT_EQ(filesIn(cache, ".png"), 2u) << "another state, another picture";
   EXPECT_EQ(filesIn(cache, ".json"), 0u);
-  EXPECT_EQ(test::slurp(folder_ / "1.png"), test::slurp(folder_ / "2.png"));
-  EXPECT_NE(test::slurp(folder_ / "1.png"), test::slurp(folder_ / "3.png"));
+  // Bytes of pictures are no reading matter for a report.
+  EXPECT_TRUE(test::slurp(folder_ / "1.png") == test::slurp(folder_ / "2.png"));
+  EXPECT_FALSE(test::slurp(folder_ / "1.png") == test::slurp(folder_ / "3.png"));
 }
 
 TEST_F(DeskScript, TheLibraryFollowsItsFolder) {
@@ -194,7 +196,7 @@ TEST_F(DeskScript, TheCopiedCommandLineMakesTheExportedPictureByteForByte) {
     std::filesystem::remove(exported);
     const auto again = test::run("/bin/sh", {"-c", test::npseePath() + ' ' + line});
     EXPECT_EQ(again.exit_code, 0) << line << again.err;
-    EXPECT_EQ(test::slurp(exported), bytes) << line;
+    EXPECT_TRUE(test::slurp(exported) == bytes) << line;
     EXPECT_EQ(loadPreset(in("work.npsee.json")).value(), loadPreset(classic()).value()) << "nothing was saved for it";
     std::filesystem::remove_all(folder_ / "state");
     std::filesystem::remove_all(folder_ / "config");

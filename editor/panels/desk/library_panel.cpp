@@ -101,7 +101,9 @@ void card(const PanelContext& ui, const LibraryEntry& entry, ImVec2 at, ImVec2 s
   const float high = std::floor(size.x * 0.625f);
   if (open || hovered) list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui.theme.raised, ui.px(4));
   const ImVec2 end{at.x + size.x, at.y + high};
-  const fs::path file = entry.readable ? ui.desk.thumbnails().picture(entry.path) : fs::path();
+  // A large library is looked at as it comes into view.
+  const bool seen = ImGui::IsRectVisible(at, {at.x + size.x, at.y + size.y});
+  const fs::path file = entry.readable && seen ? ui.desk.thumbnails().picture(entry.path) : fs::path();
   if (const ImTextureID picture = file.empty() ? nullptr : ui.pictures.file(file)) list.AddImageRounded(picture, at, end, {0, 0}, {1, 1}, IM_COL32_WHITE, ui.px(4));
   else list.AddRectFilled(at, end, ui.theme.background, ui.px(4));
   if (file.empty()) drawIcon(list, Icon::file, {0.5f * (at.x + end.x), 0.5f * (at.y + end.y)}, ui.px(20), entry.readable ? ui.theme.line : ui.theme.error);
@@ -167,7 +169,7 @@ void drawFilters(const PanelContext& ui) {
   ImGui::PopStyleVar();
   if (tagged) {
     ImGui::SameLine();
-    drawTags(ui, tag_width);
+    drawTags(ui, ImGui::GetContentRegionAvail().x);
   }
   const struct { Show show; const char *label, *tip; } shown[] = {{Show::all, "All", "What the library's folder holds"}, {Show::favourites, "Favourites", "What has a star"}, {Show::recent, "Recent", "What was worked on last"}};
   for (const auto& [show, label, tip] : shown) {

@@ -50,7 +50,8 @@ void words(const PanelContext& ui, ImVec2 at, const std::string& text, ImU32 col
   // Whole at the picture's edges too.
   const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
   const float x = std::clamp(at.x, low.x + 0.5f * size.x + ui.px(10), std::max(low.x + 0.5f * size.x + ui.px(10), high.x - 0.5f * size.x - ui.px(10)));
-  const ImVec2 min{std::floor(x - 0.5f * size.x), std::floor(at.y - 0.5f * size.y)};
+  const float y = std::min(at.y, high.y - ui.px(54));  // the tools lie below
+  const ImVec2 min{std::floor(x - 0.5f * size.x), std::floor(y - 0.5f * size.y)};
   list.AddRectFilled({min.x - ui.px(6), min.y - ui.px(3)}, {min.x + size.x + ui.px(6), min.y + size.y + ui.px(3)}, faded(ui.theme.background, 0.82f), ui.px(4));
   list.AddText(min, colour, text.c_str());
   ImGui::PopFont();
