@@ -18,7 +18,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "editor" / "golden"
 QUIET = "set time 20\nclick toggle:view\nclick item:Black\nkey Escape\n"
-AWAY = "mouse 500 20\nwait 40\n"
+AWAY = "mouse 3 200\nwait 40\n"
 # name: script, further options
 STATES = {
     "main": ("", ["--size", "1024x640"]),
