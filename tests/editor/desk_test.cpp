@@ -241,14 +241,14 @@ expect distance > 39.999
 expect distance < 40.001
 drag number:distance 30
 expect distance > 41
-key R
+key M
 click viewport
 mouse 640 600
 press
 release
 wait 3
 expect ruler.length > 1
-key R
+key M
 expect ruler.length = 0
 key B
 expect extent = yes

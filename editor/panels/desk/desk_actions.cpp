@@ -55,7 +55,7 @@ const std::array kDesk{
     Action{"View", "From the left", "5", [](Ui ui) { lookAlong(ui, "left"); }, nullptr, nullptr, false, kExplosion},
     Action{"View", "Extent box", "B", [](Ui ui) { ui.state.desk.view.extent = !ui.state.desk.view.extent; }, nullptr, [](Ui ui) { return ui.state.desk.view.extent; }, true, kExplosion},
     Action{"View", "Ground grid", "G", [](Ui ui) { ui.state.desk.view.grid = !ui.state.desk.view.grid; }, nullptr, [](Ui ui) { return ui.state.desk.view.grid; }, false, kExplosion},
-    Action{"View", "Ruler", "R", flipRuler, nullptr, [](Ui ui) { return ui.state.desk.view.ruler; }, false, kExplosion},
+    Action{"View", "Ruler", "M", flipRuler, nullptr, [](Ui ui) { return ui.state.desk.view.ruler; }, false, kExplosion},
     Action{"View", "Go to bookmark 1", "ctrl+1", go<0>, nullptr, nullptr, true, kExplosion},
     Action{"View", "Go to bookmark 2", "ctrl+2", go<1>, nullptr, nullptr, false, kExplosion},
     Action{"View", "Go to bookmark 3", "ctrl+3", go<2>, nullptr, nullptr, false, kExplosion},

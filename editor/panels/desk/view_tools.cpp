@@ -50,7 +50,7 @@ void words(const PanelContext& ui, ImVec2 at, const std::string& text, ImU32 col
   // Whole at the picture's edges too.
   const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
   const float x = std::clamp(at.x, low.x + 0.5f * size.x + ui.px(10), std::max(low.x + 0.5f * size.x + ui.px(10), high.x - 0.5f * size.x - ui.px(10)));
-  const float y = std::min(at.y, high.y - ui.px(54));  // the tools lie below
+  const float y = std::min(at.y, high.y - ui.px(90));  // the tools lie below
   const ImVec2 min{std::floor(x - 0.5f * size.x), std::floor(y - 0.5f * size.y)};
   list.AddRectFilled({min.x - ui.px(6), min.y - ui.px(3)}, {min.x + size.x + ui.px(6), min.y + size.y + ui.px(3)}, faded(ui.theme.background, 0.82f), ui.px(4));
   list.AddText(min, colour, text.c_str());
@@ -205,12 +205,13 @@ void drawViewTools(const PanelContext& ui, const Box& box) {
   drawRuler(ui, box);
   if (box.width > ui.px(430)) drawScale(ui, box);
   const struct { const char *label, *name, *tip; bool* on; } chips[] = {
-      {"grid", "grid", "Metre grid on the ground: lines every 1, 10 and 100 m", &my.grid}, {"extent", "extent", "Box around all that the effect ever reaches (B)", &my.extent}, {"ruler", "ruler", "Click two places to measure between them (R)", &my.ruler}};
+      {"grid", "grid", "Metre grid on the ground: lines every 1, 10 and 100 m", &my.grid}, {"extent", "extent", "Box around all that the effect ever reaches (B)", &my.extent}, {"ruler", "ruler", "Click two places to measure between them (M)", &my.ruler}};
   const float distance_width = ui.px(96), gap = ui.px(2);
   float width = distance_width + chipWidth(ui, "view") + 4.0f * gap + ui.px(8);
   for (const auto& entry : chips) width += chipWidth(ui, entry.label) + gap;
   const float height = ui.px(26);
-  const ImVec2 at{std::max(box.at.x, box.right() - width - ui.px(10)), box.end().y - height - ui.px(8)};
+  // Above the switches of what is laid over the effect in time.
+  const ImVec2 at{std::max(box.at.x, box.right() - width - ui.px(14)), box.end().y - height - ui.px(48)};
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, faded(ui.theme.background, 0.86f), ui.px(4));
   drawDistance(ui, {{at.x + ui.px(2), at.y + ui.px(1)}, distance_width, ui.px(24)});
   float x = at.x + distance_width + 2.0f * gap + ui.px(4);
