@@ -1,7 +1,7 @@
 # Turns data files into one C++ source, so that the program runs from anywhere.
-# Called at build time: cmake -DOUT=FILE "-DMODELS=A;B" "-DPRESETS=A;B" -P EmbedAssets.cmake
+# Called at build time: cmake -DOUT=FILE "-DPRESETS=A;B" -P EmbedAssets.cmake
 set(text "#include \"app/render/shipped_assets.h\"\n\nnamespace npsee::render {\n")
-foreach(group IN ITEMS MODELS PRESETS)
+foreach(group IN ITEMS PRESETS)
   string(APPEND text "namespace {\nconstexpr ShippedAsset k${group}[] = {\n")
   foreach(file IN LISTS ${group})
     get_filename_component(name "${file}" NAME)
@@ -11,5 +11,5 @@ foreach(group IN ITEMS MODELS PRESETS)
   endforeach()
   string(APPEND text "};\n}  // namespace\n")
 endforeach()
-string(APPEND text "std::span<const ShippedAsset> shippedModels() { return kMODELS; }\nstd::span<const ShippedAsset> shippedPresets() { return kPRESETS; }\n\n}  // namespace npsee::render\n")
+string(APPEND text "std::span<const ShippedAsset> shippedPresets() { return kPRESETS; }\n\n}  // namespace npsee::render\n")
 file(WRITE "${OUT}" "${text}")

@@ -19,6 +19,21 @@ function(npsee_ship out)
   file(CONFIGURE OUTPUT "${out}" CONTENT "${body}" @ONLY)
 endfunction()
 
+# npsee_ship_models(OUT_FILE FOLDER) does so for the models of a folder, *.obj and *.mtl.
+function(npsee_ship_models out folder)
+  set(body "// Generated from assets/ when the build was configured.\n#include \"sim/fragments/shipped_models.h\"\n\nnamespace npsee::fragments {\n\nstd::span<const ShippedModel> shippedModelFiles() {\n  static constexpr ShippedModel files[] = {\n")
+  file(GLOB files CONFIGURE_DEPENDS "${folder}/*.obj" "${folder}/*.mtl")
+  list(SORT files)
+  foreach(file IN LISTS files)
+    get_filename_component(name "${file}" NAME)
+    file(READ "${file}" text)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    string(APPEND body "      {\"${name}\", R\"npsee(${text})npsee\"},\n")
+  endforeach()
+  string(APPEND body "  };\n  return files;\n}\n\n}  // namespace npsee::fragments\n")
+  file(CONFIGURE OUTPUT "${out}" CONTENT "${body}" @ONLY)
+endfunction()
+
 # npsee_ship_texts(OUT_FILE HEADER NAMESPACE FUNCTION FILE ...) does so for single files: each function returns its file's text.
 function(npsee_ship_texts out header namespace)
   set(body "// Generated from assets/ when the build was configured.\n#include \"${header}\"\n\nnamespace ${namespace} {\n")

@@ -14,7 +14,8 @@ import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "assets" / "models"
 MATERIALS = {"body": (0.36, 0.40, 0.26), "dark": (0.16, 0.17, 0.15), "rubber": (0.09, 0.09, 0.09), "glass": (0.12, 0.17, 0.21),
-             "metal": (0.30, 0.31, 0.30), "canvas": (0.42, 0.40, 0.28), "skin": (0.62, 0.46, 0.35), "accent": (1.0, 1.0, 1.0), "brass": (0.55, 0.44, 0.20)}
+             "metal": (0.30, 0.31, 0.30), "canvas": (0.42, 0.40, 0.28), "skin": (0.62, 0.46, 0.35), "accent": (1.0, 1.0, 1.0), "brass": (0.55, 0.44, 0.20),
+             "brick": (0.56, 0.38, 0.30), "plaster": (0.72, 0.67, 0.57), "concrete": (0.55, 0.54, 0.51), "tile": (0.46, 0.25, 0.19)}
 
 
 class Model:
@@ -271,6 +272,44 @@ def helicopter():
     return m
 
 
+def storey(m, y0, y1, x, z, thick, material, windows_x, windows_z):
+    """Four walls around a floor of 2x by 2z, with windows: piers from floor to ceiling, and what is under and over the openings."""
+    sill, lintel, wide = y0 + 0.30 * (y1 - y0), y0 + 0.72 * (y1 - y0), 1.3
+
+    def wall(half, windows, box):
+        gap = 2 * half / windows
+        edges = [-half] + [e for i in range(windows) for e in (-half + (i + 0.5) * gap - wide / 2, -half + (i + 0.5) * gap + wide / 2)] + [half]
+        for i in range(0, len(edges), 2):
+            box(edges[i], edges[i + 1], y0, y1, material)
+        for i in range(1, len(edges) - 1, 2):
+            box(edges[i], edges[i + 1], y0, sill, material)
+            box(edges[i], edges[i + 1], lintel, y1, material)
+    for side in (-1, 1):
+        a, b = sorted((side * z, side * (z - thick)))
+        c, d = sorted((side * x, side * (x - thick)))
+        wall(x, windows_x, lambda u, v, p, q, mat: m.box(u, v, p, q, a, b, mat))
+        wall(z - thick, windows_z, lambda u, v, p, q, mat: m.box(c, d, p, q, u, v, mat))
+
+
+def house():
+    """A house of two storeys, of masonry, to be brought down."""
+    m = Model("house").part("hull")
+    x, z = 6.0, 3.75
+    m.box(-x - 0.15, x + 0.15, 0.0, 0.25, -z - 0.15, z + 0.15, "concrete")
+    storey(m, 0.25, 3.2, x, z, 0.45, "plaster", 4, 2)
+    m.box(-x - 0.1, x + 0.1, 3.2, 3.45, -z - 0.1, z + 0.1, "concrete")
+    storey(m, 3.45, 6.2, x, z, 0.40, "brick", 4, 2)
+    m.box(-x - 0.2, x + 0.2, 6.2, 6.4, -z - 0.2, z + 0.2, "concrete")
+    for side in (-1, 1):
+        gable = sorted((side * x, side * (x - 0.4)))
+        m.prism([(-z, 6.4), (0.0, 8.6), (z, 6.4)], gable[0], gable[1], "brick")
+        # A slope of the roof: its underside lies on the gables.
+        outline = [(side * (z + 0.5), 6.4 - 0.29), (0.0, 8.6), (0.0, 8.85), (side * (z + 0.5), 6.4 - 0.04)]
+        m.prism(outline, -x - 0.3, x + 0.3, "tile")
+    m.box(-3.9, -3.2, 8.0, 9.6, -1.2, -0.5, "brick")
+    return m
+
+
 def block():
     """What stands for a vehicle that is a few pixels large."""
     m = Model("block").part("hull")
@@ -280,7 +319,7 @@ def block():
 
 
 def main():
-    files = {model.name + ".obj": model.text() for model in (tank(), ifv(), truck(), m577(), howitzer(), car(), squad(), observer(), shell(), boat(), helicopter(), block())}
+    files = {model.name + ".obj": model.text() for model in (tank(), ifv(), truck(), m577(), howitzer(), car(), squad(), observer(), shell(), boat(), helicopter(), block(), house())}
     files["palette.mtl"] = "# Written by scripts/make_models.py; change it there.\n" + "".join("newmtl %s\nKd %g %g %g\n" % ((name,) + colour) for name, colour in MATERIALS.items())
     if "--check" in sys.argv[1:]:
         wrong = [name for name, text in files.items() if not (FOLDER / name).exists() or (FOLDER / name).read_text() != text]

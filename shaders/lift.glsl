@@ -13,11 +13,6 @@ float liftOf(float above, float size, vec3 up) {
   return above >= 0.0 ? max(wanted - above, 0.0) : max(wanted + above, 0.0);
 }
 
-vec3 rotated(vec4 q, vec3 v) {
-  vec3 t = 2.0 * cross(q.xyz, v);
-  return v + q.w * t + cross(q.xyz, t);
-}
-
 // Second row of the rotation matrix: the world's up in body coordinates.
 vec3 upInBody(vec4 q) {
   return vec3(2.0 * (q.x * q.y + q.w * q.z), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z - q.w * q.x));

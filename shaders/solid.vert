@@ -1,5 +1,6 @@
 #version 330 core
 #include "common.glsl"
+#include "turn.glsl"
 #include "lift.glsl"
 #include "clip.glsl"
 #include "glow.glsl"

@@ -4,6 +4,7 @@
 #include "sim/observer/mind.h"
 #include "sim/world/scenario_files.h"
 
+#include <npsee/explosion.h>
 #include <npsee/mission.h>
 #include <npsee/projectile.h>
 #include <npsee/weapons.h>
@@ -62,6 +63,17 @@ Expected<void> readMission(const fs::path& file) {
   return tl::unexpected(std::move(error));
 }
 
+/// Reads a preset, and the models it names.
+Expected<void> readPreset(const fs::path& file) {
+  const auto preset = loadPreset(file);
+  if (!preset) return tl::unexpected(preset.error());
+  auto faults = modelFaults(*preset);
+  for (Fault& fault : faults)
+    if (fault.file.empty()) fault.file = file.string();
+  if (faults.empty()) return {};
+  return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
+}
+
 /// Reads a file as what it is: weapons.dat, rules, a mission, a projectile, or else a preset. The error lists its faults.
 Expected<void> readWhole(const fs::path& file) {
   const auto lift = [](auto read) -> Expected<void> {
@@ -77,7 +89,7 @@ Expected<void> readWhole(const fs::path& file) {
       if (mentions("\"npsee_projectile\"")) return lift(parseProjectile(*text, file.string()));
       if (mentions("\"npsee_mission\"") || mentions("\"npsnet-scenario/")) return readMission(file);
     }
-  return lift(loadPreset(file));
+  return readPreset(file);
 }
 
 nlohmann::ordered_json faultJson(const Fault& fault) {

@@ -8,6 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/sha256.h"
 
+#include <npsee/fragments.h>
 #include <npsee/units.h>
 
 #include <algorithm>
@@ -84,7 +85,7 @@ std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& 
   const std::string options = planText(plan);
   std::int64_t file = 0;
   for (std::size_t p = 0; p < presets.size(); ++p) {
-    std::string content = sha256(presetText(presets[p]));
+    std::string content = sha256(presetText(presets[p]) + modelTexts(presets[p]));
     if (plan.kind == RenderKind::template_view) content += " layer " + std::to_string(*templateLayer(plan, presets[p]));
     for (std::int64_t i = 0; i < plan.filesPerPreset(); ++i, ++file) {
       if (!plan.shard.takes(file)) continue;

@@ -56,7 +56,7 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const LayerSpan& layer = layers[l];
     const bool soft = isSoft(layer.form);
-    if (!soft && !isSolid(layer.form)) continue;
+    if (!soft && !isSolid(layer.form) && !layer.pieces) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       const float a = frame.a[i];
@@ -70,11 +70,13 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
   std::ranges::sort(entries_, [](const Entry& a, const Entry& b) { return a.depth != b.depth ? a.depth > b.depth : a.index < b.index; });
   for (const Entry& entry : entries_) {
     const LayerSpan& layer = layers[entry.layer];
-    const bool joins = !runs_.empty() && (runs_.back().form == layer.form || (isSoft(runs_.back().form) && isSoft(layer.form)));
-    if (!joins) runs_.push_back({layer.form, instances_.size(), 0});
+    const bool joins = !runs_.empty() && runs_.back().pieces == layer.pieces && (runs_.back().form == layer.form || (isSoft(runs_.back().form) && isSoft(layer.form)));
+    if (!joins) runs_.push_back({layer.form, instances_.size(), 0, layer.pieces});
     ++runs_.back().count;
-    instances_.push_back(instanceOf(frame, entry.index, entry.index - static_cast<std::uint32_t>(layer.first), layer));
+    const std::uint32_t in_layer = entry.index - static_cast<std::uint32_t>(layer.first);
+    instances_.push_back(instanceOf(frame, entry.index, in_layer, layer));
     BlendedInstance& instance = instances_.back();
+    if (layer.pieces) instance.kind = static_cast<float>(in_layer % layer.pieces->pieces.size());
     if (shade != nullptr && layer.form == Form::smoke) instance.light = shade->at({static_cast<double>(instance.x), static_cast<double>(instance.y), static_cast<double>(instance.z)}, 0.5 * static_cast<double>(instance.size));
   }
 }

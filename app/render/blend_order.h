@@ -18,6 +18,7 @@ class BlendOrder {
   struct Run {
     Form form;  ///< any soft form stands for all of them
     std::size_t first, count;
+    std::shared_ptr<const Fragments> pieces;  ///< that the instances are of; their kind is the number of the piece
   };
 
   /// `shade` is the light inside the smoke; without it all puffs stand in full light and none is left out as hidden by others.

@@ -11,6 +11,7 @@ namespace {
 /// Darkness of the shadow under a piece. Light throws none, and smoke has a map of its own.
 double shadowStrength(Form form) {
   switch (form) {
+    case Form::pieces: return 0.5;
     case Form::tetrahedron:
     case Form::disc:
     case Form::sphere:
@@ -77,9 +78,15 @@ Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const
 }
 
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  // Those of pieces have their outlines; over a terrain, where pictures hold more than shadows by then, they are blobs as well.
+  for (const LayerSpan& layer : layers)
+    if (layer.pieces && ground.shadow_nearer <= 0.0) {
+      if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
+      pieces_->drawShadows(view, frame, layer, ground, shadowStrength(layer.form));
+    }
   for (const LayerSpan& layer : layers) {
     const std::size_t count = countIn(layer, frame);
-    const double strength = shadowStrength(layer.form);
+    const double strength = layer.pieces && ground.shadow_nearer <= 0.0 ? 0.0 : shadowStrength(layer.form);
     if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
   }
   mapSmokeShadow(frame, layers, {ground.height_m, ground.slope_x, ground.slope_z}, kTowardsSun, shadow_map_);
@@ -96,9 +103,18 @@ Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& groun
   return {};
 }
 
-void EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  for (const LayerSpan& layer : layers)
-    if (const std::size_t count = countIn(layer, frame); count > 0 && isSolid(layer.form)) solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
+Expected<void> EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  for (const LayerSpan& layer : layers) {
+    const std::size_t count = countIn(layer, frame);
+    if (count == 0) continue;
+    if (isSolid(layer.form)) {
+      solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
+    } else if (layer.pieces) {
+      if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
+      pieces_->drawOpaque(view, frame, layer, ground);
+    }
+  }
+  return {};
 }
 
 Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
@@ -108,6 +124,11 @@ Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const Lay
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());
   for (const BlendOrder::Run& run : order_.runs()) {
+    if (run.pieces != nullptr) {
+      if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
+      pieces_->drawBlended(view, run.pieces, order_.instances().subspan(run.first, run.count), ground);
+      continue;
+    }
     if (!isSoft(run.form)) {
       solid_.drawBlended(view, run.form, blended_, run.first, run.count, ground);
       continue;
@@ -122,6 +143,11 @@ Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const Lay
 Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
   if (auto made = makeOnce(solid_surfaces_, ParticleOutput::surface); !made) return made;
   frame_.uploadVelocities(frame);
+  for (const LayerSpan& layer : layers) {
+    if (!layer.pieces) continue;
+    if (auto made = makeOnce(pieces_surfaces_, ParticleOutput::surface); !made) return made;
+    pieces_surfaces_->drawSurfaces(view, frame, layer, ground, surface);
+  }
   for (const LayerSpan& layer : layers)
     if (const std::size_t count = countIn(layer, frame); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
   return {};

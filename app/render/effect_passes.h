@@ -2,6 +2,7 @@
 
 #include "app/render/blend_order.h"
 #include "app/render/glow_pass.h"
+#include "app/render/pieces_pass.h"
 #include "app/render/smoke_shade.h"
 #include "app/render/smoke_shadow_pass.h"
 #include "app/render/scorch_pass.h"
@@ -33,7 +34,7 @@ class EffectPasses {
   /// Blast fronts: where they meet the ground, before pieces; in the air, after everything else.
   Expected<void> drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawShockShells(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
-  void drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  Expected<void> drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
 
   /// Draws depth and motion instead: of pieces that cover at least half of what is behind them, the nearest; of soft forms, blended (see
@@ -51,6 +52,7 @@ class EffectPasses {
   std::optional<GlowPass> glow_;
   std::optional<SmokeShadowPass> smoke_shadow_;
   std::optional<SoftPass> soft_;
+  std::optional<PiecesPass> pieces_, pieces_surfaces_;
   std::optional<SolidPass> solid_surfaces_;
   std::optional<SoftPass> soft_surfaces_;
   FrameUpload frame_;

@@ -23,7 +23,7 @@ const Frame& FineFrames::frameOf(const Frame& frame, std::span<const LayerSpan> 
   if (frame.vx.size() < frame.count) return moved_;
   const auto dt = static_cast<float>(timeOf(look));
   for (const LayerSpan& layer : layers) {
-    if (!isSolid(layer.form)) continue;
+    if (!isSolid(layer.form) && layer.form != Form::pieces) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       moved_.x[i] = frame.x[i] + dt * frame.vx[i];

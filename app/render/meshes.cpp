@@ -131,7 +131,8 @@ Mesh meshOf(Form form) {
     case Form::fire:
     case Form::flash:
     case Form::shock:
-    case Form::scorch: break;
+    case Form::scorch:
+    case Form::pieces: break;
   }
   return {};
 }

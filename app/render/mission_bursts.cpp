@@ -2,6 +2,7 @@
 
 #include "app/render/effect_tiles.h"
 #include "app/render/meshes.h"
+#include "app/render/mission_models.h"
 #include "app/render/mission_scene.h"
 #include "app/render/mission_smoke.h"
 #include "app/render/renderer.h"
@@ -21,6 +22,9 @@ constexpr double kLeastPieces = 120.0, kPiecesPerPixel = 14.0;
 constexpr double kAirBurst_m = 2.0;
 /// Explosions outside the picture by more than this are not compiled, m.
 constexpr double kReach_m = 400.0;
+/// Vehicles that came apart: drawn in pieces at most, the nearest, and how far those go.
+constexpr std::size_t kMostInPieces = 200;
+constexpr double kFlung_m = 80.0;
 
 /// The terrain as seen from a burst, which is its origin. Pieces fall on the sea as on land.
 class PlacedGround final : public Ground {
@@ -64,14 +68,17 @@ std::shared_ptr<const Preset> MissionBursts::presetOf(const Recording& recording
   return shelf_.find(name, recording.scenario.folder);
 }
 
-std::shared_ptr<const Explosion> MissionBursts::compiledFor(const Recording& recording, const Key& key, int threads) {
+std::shared_ptr<const Explosion> MissionBursts::compiledFor(const Recording& recording, Key key, int threads, const std::function<std::shared_ptr<const SolidModel>(Key&)>& model) {
   const auto found = std::ranges::find(kept_, key, &Kept::key);
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
     return found->explosion;
   }
   const PlacedGround ground(recording.terrain, key.at);
-  auto explosion = Explosion::compile(placed(*key.preset, -ground.height(0.0, 0.0), key.wind), key.seed, &ground, {.threads = threads});
+  CompileOptions options;
+  options.threads = threads;
+  if (model) options.model = model(key);
+  auto explosion = Explosion::compile(placed(*key.preset, -ground.height(0.0, 0.0), key.wind), key.seed, &ground, options);
   kept_.push_front({key, explosion ? *explosion : nullptr});
   if (kept_.front().explosion) kept_bytes_ += kept_.front().explosion->memoryBytes();
   while (kept_bytes_ > kMostBytes && kept_.size() > 1) {
@@ -112,7 +119,52 @@ void MissionBursts::addBurst(const Recording& recording, const ShellRecord& shel
   drawn.ground.glow = glowOf(drawn.frame, drawn.layers);
 }
 
-void MissionBursts::prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light) {
+void MissionBursts::addWreck(const Recording& recording, std::size_t vehicle, const Undoing& undoing, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models) {
+  const VehicleRecord& record = recording.vehicles[vehicle];
+  Key wanted;
+  wanted.seed = undoing.seed;
+  wanted.at = recording.vehiclePlace(vehicle, undoing.time_s);
+  wanted.vehicle = static_cast<int>(vehicle);
+  wanted.since_s = undoing.time_s;
+  const auto explosion = compiledFor(recording, wanted, view.threads, [&](Key& key) {
+    // As it stood just before.
+    const double before_s = std::nextafter(undoing.time_s, -1.0);
+    const ModelInstance instance = vehicleInstance(recording, vehicle, before_s, aimedAt(recording, static_cast<int>(vehicle), before_s), models);
+    key.preset = std::make_shared<const Preset>(wreckPreset(record.type, undoing, key.at, instance.at_m.y - key.at.y));
+    return burntSolid(models.models()[instance.model], instance, key.at);
+  });
+  if (explosion == nullptr || explosion->layers().empty()) return;
+  Drawn& drawn = next();
+  drawn.origin = wanted.at;
+  drawn.layers = explosion->layers();
+  drawn.depth_m = -dot(eye.lens.back, wanted.at - eye.lens.eye);
+  // What lies, lies on.
+  explosion->at(std::min(time_s - undoing.time_s, 0.99 * explosion->duration_s()), drawn.frame, kVelocity | kLook | kOrientation, view.threads);
+  drawn.ground = groundAt(recording.terrain, wanted.at, eye.lens.eye, light_);
+}
+
+void MissionBursts::addWrecks(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models) {
+  struct Near {
+    double depth_m;
+    std::size_t vehicle;
+    Undoing undoing;
+  };
+  std::vector<Near> near;
+  for (std::size_t i = 0; i < recording.vehicles.size(); ++i) {
+    const VehicleRecord& record = recording.vehicles[i];
+    if (record.damage.empty() || record.track.legs.empty()) continue;
+    const auto undoing = undoingOf(recording, i, time_s);
+    if (!undoing) continue;
+    const Vec3 at = recording.vehiclePlace(i, time_s);
+    if (!drawnInPieces(eye, view, at, drawnLength(record.type)) || !mayBeSeen(eye, at, kFlung_m)) continue;
+    near.push_back({-dot(eye.lens.back, at - eye.lens.eye), i, *undoing});
+  }
+  std::ranges::stable_sort(near, {}, &Near::depth_m);
+  if (near.size() > kMostInPieces) near.resize(kMostInPieces);
+  for (const Near& wreck : near) addWreck(recording, wreck.vehicle, wreck.undoing, time_s, view, eye, models);
+}
+
+void MissionBursts::prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light, const ModelPass& models) {
   if (ground_ != recording.terrain.heights().data()) {
     kept_.clear();
     kept_bytes_ = 0;
@@ -134,6 +186,7 @@ void MissionBursts::prepare(const Recording& recording, double time_s, const Mis
     // Light and smoke have their own looks, unless the mission asks for a preset.
     if ((!shell.illumination && !shell.smoke) || !shell.preset.empty()) addBurst(recording, shell, time_s, view, eye);
   }
+  addWrecks(recording, time_s, view, eye, models);
   for (Smoke& smoke : missionSmoke(recording, time_s, eye)) {
     Drawn& drawn = next();
     drawn.origin = smoke.origin;
@@ -157,7 +210,7 @@ Expected<void> MissionBursts::drawOpaque(EffectPasses& effects, const MissionEye
       if (auto done = effects.drawGlow(view, drawn.ground); !done) return done;
     if (drawn.ground.height_m > -60.0)
       if (auto done = effects.drawShockRings(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
-    effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground);
+    if (auto done = effects.drawOpaque(drawn.frame, drawn.layers, view, drawn.ground); !done) return done;
   }
   return {};
 }

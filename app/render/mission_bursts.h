@@ -3,11 +3,13 @@
 #include "app/render/effect_passes.h"
 #include "app/render/mission_camera.h"
 #include "app/render/mission_light.h"
+#include "app/render/mission_wrecks.h"
 #include "app/render/preset_shelf.h"
 
 #include <npsee/explosion.h>
 #include <npsee/recording.h>
 
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -27,7 +29,7 @@ class MissionBursts {
  public:
   /// Makes ready what is to be drawn at a moment. Compiled explosions are kept from picture to picture within a bounded memory, the
   /// least recently drawn are dropped first.
-  void prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light);
+  void prepare(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionLight& light, const ModelPass& models);
 
   /// Shadows and opaque forms, then, when everything opaque is drawn, what is blended, far ones first.
   Expected<void> drawOpaque(EffectPasses& effects, const MissionEye& eye);
@@ -58,13 +60,18 @@ class MissionBursts {
     std::uint64_t seed = 0;
     Vec3 at;
     Vec3 wind;
-    bool operator==(const Key& other) const { return seed == other.seed && at == other.at && wind == other.wind && (preset == other.preset || *preset == *other.preset); }
+    int vehicle = -1;  ///< that comes apart, its preset made for it; -1 = a burst
+    double since_s = 0.0;
+    bool operator==(const Key& other) const { return vehicle == other.vehicle && since_s == other.since_s && seed == other.seed && at == other.at && wind == other.wind && (vehicle >= 0 || preset == other.preset || *preset == *other.preset); }
   };
   struct Kept {
     Key key;
     std::shared_ptr<const Explosion> explosion;  // null: it could not be compiled
   };
-  std::shared_ptr<const Explosion> compiledFor(const Recording& recording, const Key& key, int threads);
+  /// `model` makes the model of pieces, where a vehicle comes apart.
+  std::shared_ptr<const Explosion> compiledFor(const Recording& recording, Key key, int threads, const std::function<std::shared_ptr<const SolidModel>(Key&)>& model = nullptr);
+  void addWrecks(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
+  void addWreck(const Recording& recording, std::size_t vehicle, const Undoing& undoing, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
   void addBurst(const Recording& recording, const ShellRecord& shell, double time_s, const MissionView& view, const MissionEye& eye);
   Drawn& next();
 

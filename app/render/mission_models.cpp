@@ -2,6 +2,7 @@
 
 #include "app/render/mission_overlays.h"
 #include "app/render/mission_scene.h"
+#include "app/render/mission_wrecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,16 +57,19 @@ bool inPicture(const MissionEye& eye, const Vec3& at, double radius_m) {
   return std::abs(dot(eye.lens.right, from)) < depth * tan_x + 1.5 * radius_m * (1.0 + tan_x) && std::abs(dot(eye.lens.up, from)) < depth * tan_y + 1.5 * radius_m * (1.0 + tan_y);
 }
 
+double azimuthOf(const ShellRecord& shell) {
+  const Vec3 line = shell.burst_m - shell.muzzle_m;
+  return std::atan2(line.x, -line.z);
+}
+
 class Collector {
  public:
   Collector(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models)
-      : recording_(recording), time_s_(time_s), eye_(eye), models_(models), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px) {
+      : recording_(recording), time_s_(time_s), view_(view), eye_(eye), models_(models), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px) {
     block_ = models.find("block", {});
     for (const ShellRecord& shell : recording.shells) {
       if (shell.fired_s > time_s) break;
-      if (shell.shooter < 0 || time_s - shell.fired_s > kTurretRest_s) continue;
-      const Vec3 line = shell.burst_m - shell.muzzle_m;
-      aimed_[shell.shooter] = std::atan2(line.x, -line.z);
+      if (shell.shooter >= 0 && time_s - shell.fired_s <= kTurretRest_s) aimed_[shell.shooter] = azimuthOf(shell);
     }
   }
 
@@ -100,26 +104,10 @@ class Collector {
   void vehicle(std::size_t index) {
     const VehicleRecord& record = recording_.vehicles[index];
     if (ownVehicle(index) || record.track.legs.empty()) return;
-    const Pose pose = record.track.at(time_s_);
-    ModelInstance instance;
-    instance.model = models_.find(record.type.model, modelOf(record.type));
-    standOn(recording_.terrain, recording_.vehiclePlace(index, time_s_), pose.heading_rad, instance);
-    if (record.type.target_class == TargetClass::aircraft) instance.at_m.y += 60.0;
-    instance.body = sidePaint(record.type.side);
-    instance.accent = sideColour(record.type.side);
-    if (record.destroyedAt(time_s_)) instance.burnt = 1.0;
-    else if (const DamageStep* harm = record.damageAt(time_s_)) instance.burnt = std::clamp(0.5 * harm->hull, 0.0, 0.5);
-    if (const auto aimed = aimed_.find(static_cast<int>(index)); aimed != aimed_.end()) instance.turret_rad = aimed->second - pose.heading_rad;
-    // Knocked out, the gun hangs and points aside.
-    if (instance.burnt >= 1.0) {
-      instance.turret_rad += 0.45;
-      instance.tube_rad = -0.10;
-    }
-    const Model& model = models_.models()[instance.model];
-    if (model.name == "howitzer") instance.turret_rad = 0.0, instance.tube_rad = std::max(instance.tube_rad, 0.05);
-    // Models have their own proportions; the type says how long the real one is.
-    if (record.type.length_m > 0.5 && model.name != "squad" && model.name != "helicopter" && model.name != "howitzer") instance.scale = record.type.length_m / model.hull_length_m;
-    add(instance, drawnLength(record.type));
+    // What came apart is drawn with the bursts.
+    if (undoingOf(recording_, index, time_s_) && drawnInPieces(eye_, view_, recording_.vehiclePlace(index, time_s_), drawnLength(record.type))) return;
+    const auto aimed = aimed_.find(static_cast<int>(index));
+    add(vehicleInstance(recording_, index, time_s_, aimed != aimed_.end() ? std::optional(aimed->second) : std::nullopt, models_), drawnLength(record.type));
   }
 
   void gun(const GunRecord& record) {
@@ -183,6 +171,7 @@ class Collector {
 
   const Recording& recording_;
   double time_s_;
+  const MissionView& view_;
   const MissionEye& eye_;
   const ModelPass& models_;
   double least_px_;
@@ -209,6 +198,39 @@ Colour sidePaint(Side side) {
     case Side::neutral: break;
   }
   return {0.62, 0.62, 0.60};
+}
+
+ModelInstance vehicleInstance(const Recording& recording, std::size_t index, double time_s, std::optional<double> aimed_rad, const ModelPass& models) {
+  const VehicleRecord& record = recording.vehicles[index];
+  const Pose pose = record.track.at(time_s);
+  ModelInstance instance;
+  instance.model = models.find(record.type.model, modelOf(record.type));
+  standOn(recording.terrain, recording.vehiclePlace(index, time_s), pose.heading_rad, instance);
+  if (record.type.target_class == TargetClass::aircraft) instance.at_m.y += 60.0;
+  instance.body = sidePaint(record.type.side);
+  instance.accent = sideColour(record.type.side);
+  if (record.destroyedAt(time_s)) instance.burnt = 1.0;
+  else if (const DamageStep* harm = record.damageAt(time_s)) instance.burnt = std::clamp(0.5 * harm->hull, 0.0, 0.5);
+  if (aimed_rad) instance.turret_rad = *aimed_rad - pose.heading_rad;
+  // Knocked out, the gun hangs and points aside.
+  if (instance.burnt >= 1.0) {
+    instance.turret_rad += 0.45;
+    instance.tube_rad = -0.10;
+  }
+  const Model& model = models.models()[instance.model];
+  if (model.name == "howitzer") instance.turret_rad = 0.0, instance.tube_rad = std::max(instance.tube_rad, 0.05);
+  // Models have their own proportions; the type says how long the real one is.
+  if (record.type.length_m > 0.5 && model.name != "squad" && model.name != "helicopter" && model.name != "howitzer") instance.scale = record.type.length_m / model.hull_length_m;
+  return instance;
+}
+
+std::optional<double> aimedAt(const Recording& recording, int vehicle, double time_s) {
+  std::optional<double> out;
+  for (const ShellRecord& shell : recording.shells) {
+    if (shell.fired_s > time_s) break;
+    if (shell.shooter == vehicle && time_s - shell.fired_s <= kTurretRest_s) out = azimuthOf(shell);
+  }
+  return out;
 }
 
 double enlargement(const MissionEye& eye, double length_m, double depth_m, double least_px) {

@@ -5,6 +5,7 @@
 
 #include <npsee/recording.h>
 
+#include <optional>
 #include <vector>
 
 namespace npsee::render {
@@ -15,6 +16,12 @@ struct MissionView;
 /// Colours by which the sides are told, sRGB-coded.
 Colour sideColour(Side side);
 Colour sidePaint(Side side);
+
+/// A vehicle as it is drawn; `aimed_rad` is the azimuth of its turret, where it has shot lately.
+ModelInstance vehicleInstance(const Recording& recording, std::size_t vehicle, double time_s, std::optional<double> aimed_rad, const ModelPass& models);
+
+/// Azimuth of a vehicle's last shot, if that was not long ago.
+std::optional<double> aimedAt(const Recording& recording, int vehicle, double time_s);
 
 /// Factor by which something of that length is enlarged to be seen at a depth.
 double enlargement(const MissionEye& eye, double length_m, double depth_m, double least_px);

@@ -204,7 +204,7 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
   const std::vector<ModelInstance> models = missionModels(recording, time_s, view, eye, own.passes->models);
   own.drawAreas(modelShadows(recording, models, eye, own.passes->models), eye, at_origin, extinctionOf(light.visibility_m), 0.002);
   own.passes->models.draw(models, eye.lens.eye, at_origin, light);
-  own.bursts.prepare(recording, time_s, view, eye, light);
+  own.bursts.prepare(recording, time_s, view, eye, light, own.passes->models);
   if (auto drawn = own.bursts.drawOpaque(effects, eye); !drawn) return drawn;
   if (auto drawn = own.bursts.drawBlended(effects, eye); !drawn) return drawn;
   if (!map) own.bursts.markBright(bright, eye);

@@ -1,6 +1,6 @@
 #include "app/render/model.h"
 
-#include "app/render/shipped_assets.h"
+#include "sim/fragments/shipped_models.h"
 
 #include <tiny_obj_loader.h>
 
@@ -103,10 +103,10 @@ Expected<Model> parseModel(std::string_view name, std::string_view obj, std::str
 
 Expected<std::vector<Model>> loadShippedModels() {
   std::string_view palette;
-  for (const ShippedAsset& asset : shippedModels())
+  for (const fragments::ShippedModel& asset : fragments::shippedModelFiles())
     if (asset.name == "palette.mtl") palette = asset.text;
   std::vector<Model> out;
-  for (const ShippedAsset& asset : shippedModels()) {
+  for (const fragments::ShippedModel& asset : fragments::shippedModelFiles()) {
     if (!asset.name.ends_with(".obj")) continue;
     auto model = parseModel(asset.name.substr(0, asset.name.size() - 4), asset.text, palette);
     if (!model) return tl::unexpected<Error>(model.error());

@@ -57,10 +57,10 @@ std::size_t ModelPass::find(std::string_view name, std::string_view otherwise) c
   return 0;
 }
 
-ModelPass::Placed ModelPass::placed(const ModelInstance& instance, const ModelPart& part, const Vec3& eye) {
+PartAxes axesOf(const ModelInstance& instance, const ModelPart& part) {
   const auto place = [](const Axes& by, const Vec3& p) { return p.x * by.right + p.y * by.up + p.z * by.back; };
   Axes axes{instance.right, instance.up, instance.back};
-  Vec3 at = instance.at_m - eye;
+  Vec3 at;
   // What is at a pivot stays there while the axes turn.
   const auto turnAround = [&](const Vec3& pivot, double turn_rad, double raise_rad) {
     const Axes moved = turned(axes, turn_rad, raise_rad);
@@ -70,9 +70,14 @@ ModelPass::Placed ModelPass::placed(const ModelInstance& instance, const ModelPa
   const bool tube = part.kind == ModelPart::Kind::tube;
   if (part.kind != ModelPart::Kind::hull) turnAround(tube ? part.carrier : part.pivot, instance.turret_rad, 0.0);
   if (tube) turnAround(part.pivot, 0.0, instance.tube_rad);
-  const auto f = [](double v) { return static_cast<float>(v); };
   const double s = instance.scale;
-  const Vec3 r = s * axes.right, u = s * axes.up, b = s * axes.back;
+  return {s * axes.right, s * axes.up, s * axes.back, at};
+}
+
+ModelPass::Placed ModelPass::placed(const ModelInstance& instance, const ModelPart& part, const Vec3& eye) {
+  const auto f = [](double v) { return static_cast<float>(v); };
+  const auto [r, u, b, offset] = axesOf(instance, part);
+  const Vec3 at = instance.at_m - eye + offset;
   return {{f(r.x), f(u.x), f(b.x), f(at.x), f(r.y), f(u.y), f(b.y), f(at.y), f(r.z), f(u.z), f(b.z), f(at.z)},
           {f(instance.body.r), f(instance.body.g), f(instance.body.b), 1.0f},
           {f(instance.accent.r), f(instance.accent.g), f(instance.accent.b), f(instance.burnt)}};

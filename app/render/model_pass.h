@@ -25,6 +25,13 @@ struct ModelInstance {
   double burnt = 0.0;                    ///< 1 = blackened
 };
 
+/// Axes of a part of an instance in the world, scaled, and where its model's origin comes to lie relative to the instance.
+struct PartAxes {
+  Vec3 right, up, back;
+  Vec3 at;
+};
+PartAxes axesOf(const ModelInstance& instance, const ModelPart& part);
+
 /// Vehicles, guns, shells and figures: meshes from assets/models, all instances of a part in one call.
 class ModelPass {
  public:

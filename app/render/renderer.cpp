@@ -156,7 +156,7 @@ Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& sc
   effects.upload(frame, scene.layers);
   if (shadows)
     if (auto drawn = drawOnGround(frame, scene, view, ground, hourLight(scene.sky).shadows); !drawn) return drawn;
-  effects.drawOpaque(frame, scene.layers, view, ground);
+  if (auto drawn = effects.drawOpaque(frame, scene.layers, view, ground); !drawn) return drawn;
   passed("solid");
   if (auto drawn = effects.drawBlended(frame, scene.layers, view, ground); !drawn) return drawn;
   passed("blended");

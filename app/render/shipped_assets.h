@@ -11,7 +11,6 @@ struct ShippedAsset {
   std::string_view text;
 };
 
-std::span<const ShippedAsset> shippedModels();   ///< assets/models: *.obj and palette.mtl
 std::span<const ShippedAsset> shippedPresets();  ///< presets/*.npsee.json
 
 }  // namespace npsee::render

@@ -30,6 +30,29 @@ Preset Snapshot::fresh() {
 
 void Snapshot::settle() { layer = std::clamp(layer, 0, std::max(0, static_cast<int>(content->layers.size()) - 1)); }
 
+Expected<Preset> Document::broughtTo(const std::filesystem::path& folder) const {
+  namespace fs = std::filesystem;
+  for (const Layer& one : preset().layers) {
+    std::error_code error;
+    const fs::path from = preset().folder.path / one.pieces_model, target = folder / one.pieces_model;
+    // A file that is there already stays.
+    if (one.form != Form::pieces || !fs::is_regular_file(from, error) || fs::exists(target, error)) continue;
+    fs::create_directories(target.parent_path(), error);
+    if (!error) fs::copy_file(from, target, error);
+    if (error) return fail(ErrorKind::output, target.string() + ", which the preset names, cannot be written: " + error.message() + ".", "Choose another folder, or copy it there by hand.");
+  }
+  return preset();
+}
+
+Expected<void> Document::saveAs(const std::filesystem::path& path) {
+  auto done = EditedDocument::saveAs(path);
+  if (!done || preset().folder.path == path_.parent_path()) return done;
+  Preset moved = preset();
+  moved.folder.path = path_.parent_path();
+  take(with(std::move(moved)));
+  return done;
+}
+
 void Document::select(int layer) {
   now_.layer = layer;
   now_.settle();

@@ -48,6 +48,9 @@ class Document : public EditedDocument<Snapshot> {
   /// Value of a parameter of the burst or of the selected layer.
   Value value(const Parameter& parameter) const;
 
+  /// Models beside the old file are taken along.
+  Expected<void> saveAs(const std::filesystem::path& path) override;
+
   /// Layers of the list, each one undo step. A new layer is placed after the selected one and selected.
   Expected<void> addLayer();
   Expected<void> duplicateLayer();
@@ -61,6 +64,9 @@ class Document : public EditedDocument<Snapshot> {
   /// Adds layers after the selected one; names that are taken become free ones, and parents among the layers follow.
   Expected<void> insertLayers(const std::vector<Layer>& layers, std::string_view label);
   Expected<void> renameLayer(std::string_view name);
+
+ protected:
+  Expected<Preset> broughtTo(const std::filesystem::path& folder) const override;
 };
 
 /// By index: the layer and every one that hangs on it, directly or not.

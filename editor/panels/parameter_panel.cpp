@@ -13,7 +13,7 @@ namespace {
 
 // What is shaped most often stands first; a section's rows are those of the table.
 constexpr std::array kOrder{Section::burst, Section::region, Section::launch, Section::time, Section::flight, Section::ground,
-                            Section::look, Section::layer, Section::hierarchy, Section::surroundings, Section::about};
+                            Section::look, Section::pieces, Section::layer, Section::hierarchy, Section::surroundings, Section::about};
 
 /// Searched for, it shows the controls that the thesis's editor had.
 constexpr std::string_view kThesisWord = "1993";

@@ -41,7 +41,7 @@ struct UiState {
   float left_width = 252, right_width = 396, template_height = 330;  ///< unscaled pixels
   bool show_left = true, show_right = true, show_help = false, light = false;
   std::string search;
-  std::set<Section> folded{Section::about, Section::layer, Section::hierarchy};
+  std::set<Section> folded{Section::about, Section::layer, Section::hierarchy, Section::pieces};
 
   /// The slider or number being dragged.
   struct Drag {

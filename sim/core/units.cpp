@@ -33,6 +33,8 @@ constexpr std::array kAngles{Spelling{"deg", kDegree}, Spelling{"rad", 1.0}, Spe
 constexpr std::array kRates{Spelling{"1/s", 1.0}};
 constexpr std::array kSpins{Spelling{"rev/s", kTwoPi}, Spelling{"rad/s", 1.0}, Spelling{"deg/s", kDegree}, Spelling{"rpm", kTwoPi / 60.0}};
 constexpr std::array kTemperatures{Spelling{"K", 1.0}};
+constexpr std::array kDensities{Spelling{"kg/m3", 1.0}, Spelling{"g/cm3", 1000.0}};
+constexpr std::array kImpulses{Spelling{"kPa s", 1000.0}, Spelling{"Pa s", 1.0}};
 constexpr std::array kFractions{Spelling{"%", 0.01}};
 
 UnitRow row(Unit unit) {
@@ -50,6 +52,8 @@ UnitRow row(Unit unit) {
     case Unit::degree_per_second: return {"deg/s", kDegree, kSpins};
     case Unit::kelvin: return {"K", 1.0, kTemperatures};
     case Unit::fraction: return {"", 1.0, kFractions};
+    case Unit::kilogram_per_metre3: return {"kg/m3", 1.0, kDensities};
+    case Unit::kilopascal_second: return {"kPa s", 1000.0, kImpulses};
     case Unit::particle: return {"particles", 1.0, {}};
   }
   return {"", 1.0, {}};

@@ -92,7 +92,9 @@ ChildStart childStart(const CompiledLayer& parent, const ParentEvent& event, Tri
     case Trigger::death: age = life; break;
     case Trigger::path: age = path_age; break;
   }
-  return {birthOf(parent, p) + age, stateOf(parent.constants, p.chunk, p.index, age)};
+  ChildStart out{birthOf(parent, p) + age, stateOf(parent.constants, p.chunk, p.index, age)};
+  if (!parent.poses.empty()) out.motion.y += static_cast<double>(parent.poses[event.parent].rise_m);
+  return out;
 }
 
 }  // namespace npsee::explosion

@@ -62,6 +62,10 @@ LayerConstants constantsOf(const CompileJob& job) {
   c.size_over_life = layer.size_over_life;
   if (layer.form == Form::shock && c.size_over_life.empty()) c.size_over_life = shockGrowth();
   if (layer.form == Form::shock && c.opacity_over_life.empty()) c.opacity_over_life = shockFading();
+  if (layer.form == Form::pieces) {
+    c.stands = layer.pieces_stand && job.parent == nullptr;
+    c.colour_variation = 0.0;
+  }
   return c;
 }
 
@@ -82,6 +86,7 @@ struct LayerBuild {
   std::vector<double> path_ages;       ///< of children along a path: the parent's age at which each starts
   bool own_births;                     ///< birth times differ between particles
   double centre_above;                 ///< height of the burst's centre above the ground
+  std::vector<double> reaches;         ///< form pieces: leastReach of each
 };
 
 /// Launch of particle `number` of the layer, in the frame of the layer's origin, and its time of birth.
@@ -97,6 +102,7 @@ Launch launchOf(const LayerBuild& build, std::size_t number, double& birth) {
   Launch out = launch(build.emission, identity, build.centre_above);
   const double part = (static_cast<double>(in_event) + out.birth_part) / static_cast<double>(build.per_event);
   birth = layer.start_s + layer.duration_s * part;
+  if (build.job.fragments) launchPiece(layer, build.job.fragments->pieces[in_event], out);
   if (!child) return out;
 
   const ChildStart start = childStart(*build.job.parent, event, layer.trigger, build.path_ages.empty() ? 0.0 : build.path_ages[number]);
@@ -125,11 +131,21 @@ void sizeChunk(Chunk& chunk, const LayerBuild& build) {
   chunk.first_row.assign(padded / 4 + 1, 0);
 }
 
-void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, Launches& launches) {
+/// Lets a piece fly as a point below its centre, see PiecePose; one that stands on the ground begins there.
+void lower(const LayerBuild& build, std::size_t number, Launch& drawn, PiecePose& pose) {
+  if (!build.constants.collide) return;
+  const LayerConstants& c = build.constants;
+  const double above = drawn.place.y + c.origin_y - build.job.ground.height(drawn.place.x + c.origin_x, drawn.place.z + c.origin_z);
+  pose.rise_m = static_cast<float>(std::clamp(above, 0.0, build.reaches[number % build.per_event]));
+  drawn.place.y -= static_cast<double>(pose.rise_m);
+}
+
+void drawChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, Launches& launches, std::vector<PiecePose>& poses) {
   for (int i = 0; i < chunk.count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     double birth = 0.0;
-    const Launch drawn = launchOf(build, first_number + at, birth);
+    Launch drawn = launchOf(build, first_number + at, birth);
+    if (!poses.empty()) lower(build, first_number + at, drawn, poses[first_number + at]);
     // Launch place and velocity are what the first arc stores, so that frames at birth and flights from there agree to the last bit.
     launches.x[at] = static_cast<float>(drawn.place.x);
     launches.y[at] = static_cast<float>(drawn.place.y);
@@ -219,14 +235,14 @@ void keepArcs(const ArcRoom& room, int first_lane, int four, bool own_heights, C
   }
 }
 
-void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk) {
+void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, std::vector<PiecePose>& poses) {
   static thread_local Scratch scratch;
   const bool own_heights = !build.job.ground.flat();
   scratch.arcs.clear();
   scratch.heights.clear();
   scratch.starts.clear();
   sizeChunk(chunk, build);
-  drawChunk(build, first_number, chunk, scratch.launches);
+  drawChunk(build, first_number, chunk, scratch.launches, poses);
   liftToGround(build, chunk.count, scratch.launches);
   const int fours = static_cast<int>(chunk.lifetime_s.size() / 4);
   for (int four = 0; four < fours; four += 2) {
@@ -271,10 +287,15 @@ CompiledLayer compileLayer(const CompileJob& job) {
 
   const bool child = job.parent != nullptr;
   LayerBuild build{job, out.constants, Emission(job.preset, job.layer, child), layerStream(job.layer), static_cast<std::size_t>(particleCount(job.layer)), {}, {},
-                   child || job.layer.duration_s > 0.0, out.constants.origin_y - job.ground.height(0.0, 0.0)};
+                   child || job.layer.duration_s > 0.0, out.constants.origin_y - job.ground.height(0.0, 0.0), {}};
+  if (job.fragments) {
+    out.fragments = job.fragments;
+    for (const Piece& piece : job.fragments->pieces) build.reaches.push_back(leastReach(piece));
+  }
   if (child) build.events = parentEvents(*job.parent, job.layer.trigger);
   out.count = build.per_event * (child ? build.events.size() : 1);
   if (child && job.layer.trigger == Trigger::path) build.path_ages = pathAges(*job.parent, build.events, build.per_event, job.layer.path_spacing, job.threads);
+  if (job.fragments) out.poses.resize(out.count);
   out.memory = std::make_unique<Arena>(out.count * expectedBytes(job.layer));
   out.chunks.reserve((out.count + kChunkParticles - 1) / kChunkParticles);
   // One by one: copies of a chunk would leave the arena.
@@ -283,8 +304,9 @@ CompiledLayer compileLayer(const CompileJob& job) {
     Chunk& chunk = out.chunks[i];
     chunk.first = out.first + i * kChunkParticles;
     chunk.count = static_cast<int>(std::min<std::size_t>(kChunkParticles, out.count - i * kChunkParticles));
-    compileChunk(build, i * kChunkParticles, chunk);
+    compileChunk(build, i * kChunkParticles, chunk, out.poses);
   });
+  if (job.fragments) settlePieces(job.ground, out);
   return out;
 }
 

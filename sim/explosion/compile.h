@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/explosion/kernels.h"
+#include "sim/explosion/pieces.h"
 
 #include "sim/core/arena.h"
 
@@ -20,6 +21,8 @@ struct CompiledLayer {
   std::size_t first = 0, count = 0;
   std::string name;
   Form form{};
+  std::shared_ptr<const Fragments> fragments;  ///< form pieces
+  std::vector<PiecePose> poses;                ///< form pieces: one per particle
 };
 
 /// What compiling a layer needs.
@@ -32,6 +35,7 @@ struct CompileJob {
   const Kernels& kernels;
   int threads;
   std::size_t first;  ///< index of the layer's first particle in frames
+  std::shared_ptr<const Fragments> fragments;  ///< form pieces
 };
 
 CompiledLayer compileLayer(const CompileJob& job);

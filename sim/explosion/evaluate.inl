@@ -172,7 +172,7 @@ NPSEE_KERNEL_INLINE void evaluateFour(const LayerConstants& c, const Chunk& chun
   store(out.z + at, m.z);
 
   const Doubles since_birth = sinceBirth(c, chunk, p, t);
-  const Masks alive = (since_birth >= 0.0) & (since_birth < life);
+  const Masks alive = ((since_birth >= 0.0) | (all(c.stands ? t : -1.0) >= 0.0)) & (since_birth < life);
   const Doubles alive_one = select(alive, all(1.0), all(0.0));
   storeCounts(out.alive + at, narrowMask(alive) & 1);
   const bool curves = !c.size_over_life.empty() || (out.r && !(c.colour_over_life.empty() && c.opacity_over_life.empty()));

@@ -115,6 +115,8 @@ void Explosion::Impl::at(double t_s, BasicFrame<Real>& out, unsigned fields, int
       const Chunk& chunk = layer.chunks[i];
       evaluateBy(*kernels, layer, chunk, t_s, viewOf(out, chunk.first, fields));
     });
+  for (const CompiledLayer& layer : layers)
+    if (!layer.poses.empty()) explosion::posePieces(layer, t_s, viewOf(out, layer.first, fields));
 }
 
 Explosion::Explosion(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -140,8 +142,15 @@ Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& pres
     const Layer& layer = preset.layers[i];
     if (!runs(preset, layer)) continue;
     const int parent = findLayer(preset, layer.parent);
-    compiled[i] = explosion::compileLayer({preset, layer, seed.value_or(static_cast<std::uint64_t>(preset.seed)), surface, parent >= 0 ? &compiled[static_cast<std::size_t>(parent)] : nullptr,
-                                           *impl->kernels, std::max(1, options.threads), 0});
+    const std::uint64_t own_seed = seed.value_or(static_cast<std::uint64_t>(preset.seed));
+    std::shared_ptr<const Fragments> fragments;
+    if (layer.form == Form::pieces) {
+      auto cut = explosion::fragmentsOf(preset, i, own_seed, options.model.get());
+      if (!cut) return tl::unexpected<Error>(std::move(cut.error()));
+      fragments = std::move(*cut);
+    }
+    compiled[i] = explosion::compileLayer({preset, layer, own_seed, surface, parent >= 0 ? &compiled[static_cast<std::size_t>(parent)] : nullptr, *impl->kernels, std::max(1, options.threads), 0,
+                                           std::move(fragments)});
   }
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     if (!runs(preset, preset.layers[i])) continue;
@@ -150,7 +159,7 @@ Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& pres
     for (Chunk& chunk : layer.chunks) chunk.first += layer.first;
     impl->particles += layer.count;
     impl->duration_s = std::max(impl->duration_s, lastDeath(layer));
-    impl->spans.push_back({layer.name, layer.first, layer.count, layer.form, preset.layers[i].temperature_k, preset.layers[i].cooling_s});
+    impl->spans.push_back({layer.name, layer.first, layer.count, layer.form, layer.fragments, preset.layers[i].temperature_k, preset.layers[i].cooling_s});
     impl->layers.push_back(std::move(layer));
   }
   return std::shared_ptr<const Explosion>(new Explosion(std::move(impl)));
@@ -162,7 +171,7 @@ double Explosion::duration_s() const { return impl_->duration_s; }
 
 std::size_t Explosion::memoryBytes() const {
   std::size_t bytes = sizeof(Impl);
-  for (const CompiledLayer& layer : impl_->layers) bytes += layer.memory->bytes() + layer.chunks.capacity() * sizeof(Chunk);
+  for (const CompiledLayer& layer : impl_->layers) bytes += layer.memory->bytes() + layer.chunks.capacity() * sizeof(Chunk) + layer.poses.capacity() * sizeof(explosion::PiecePose) + (layer.fragments ? layer.fragments->bytes() : 0);
   return bytes;
 }
 

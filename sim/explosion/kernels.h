@@ -16,6 +16,7 @@ struct LayerConstants {
   double ground_y = 0;                              ///< y of later arcs, m (0 over a height function)
   double start_s = 0.0;                             ///< birth of all particles where a chunk has no own times
   bool follow = false;                              ///< flows along the ground: arcs are no contacts
+  bool stands = false;                              ///< particles are there before their birth, from 0 on
   bool collide = true;
   double restitution = 0, friction = 0, rest_speed_mps = 0;
   int bounce_limit = 0;

@@ -59,6 +59,7 @@ std::string_view title(Section section) {
     case Section::flight: return "Flight";
     case Section::ground: return "Ground";
     case Section::look: return "Look";
+    case Section::pieces: return "Pieces";
   }
   return "";
 }

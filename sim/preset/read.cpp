@@ -136,7 +136,9 @@ Expected<Preset> parsePreset(std::string_view text, std::string_view name) {
 Expected<Preset> loadPreset(const std::filesystem::path& path) {
   const auto text = readTextFile(path);
   if (!text) return tl::unexpected<Error>(text.error());
-  return parsePreset(*text, path.string());
+  auto preset = parsePreset(*text, path.string());
+  if (preset) preset->folder.path = path.parent_path();
+  return preset;
 }
 
 }  // namespace npsee

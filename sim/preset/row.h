@@ -24,7 +24,7 @@ NPSEE_CHOICES(Directionality, "burst", "cone", "neutral");
 NPSEE_CHOICES(AngleDistribution, "normal", "uniform", "place");
 NPSEE_CHOICES(Distribution, "normal", "uniform");
 NPSEE_CHOICES(Trajectory, "linear", "parabolic");
-NPSEE_CHOICES(Form, "tetrahedron", "disc", "sphere", "shard", "streak", "smoke", "fire", "flash", "shock", "scorch");
+NPSEE_CHOICES(Form, "tetrahedron", "disc", "sphere", "shard", "streak", "smoke", "fire", "flash", "shock", "scorch", "pieces");
 NPSEE_CHOICES(Trigger, "none", "birth", "path", "bounce", "death");
 NPSEE_CHOICES(PathSpacing, "time", "distance");
 NPSEE_CHOICES(Sky, "day", "dusk", "night");

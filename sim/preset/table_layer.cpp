@@ -9,24 +9,35 @@ using Why = std::string_view;
 
 // Why a parameter has no effect with the others as they are; empty where it has.
 
+constexpr Why kFlung = "the burst's impulse flings the pieces", kWhole = "the pieces start where they are in the model";
+Why flung(const Preset&, const Layer& layer) { return layer.form == Form::pieces ? kFlung : ""; }
+Why withoutPieces(const Preset&, const Layer& layer) { return layer.form == Form::pieces ? "" : "the form is not pieces"; }
 template <RegionShape... shapes>
 Why unlessShape(const Preset&, const Layer& layer) {
+  if (layer.form == Form::pieces && layer.count > 0) return kWhole;
   return ((layer.region_shape == shapes) || ...) ? "" : "the region's shape has no such size";
 }
-Why ofAPoint(const Preset&, const Layer& layer) { return layer.region_shape == RegionShape::point ? "a point has no inside" : ""; }
+Why inNoRegion(const Preset&, const Layer& layer) { return layer.form == Form::pieces && layer.count > 0 ? kWhole : ""; }
+Why ofAPoint(const Preset& preset, const Layer& layer) {
+  if (const Why why = inNoRegion(preset, layer); !why.empty()) return why;
+  return layer.region_shape == RegionShape::point ? "a point has no inside" : "";
+}
 Why withACount(const Preset&, const Layer& layer) { return layer.count > 0 ? "the count says how many" : ""; }
 Why withoutParent(const Preset&, const Layer& layer) { return layer.parent.empty() ? "the layer hangs on the burst" : ""; }
 Why inAllDirections(const Preset& preset, const Layer& layer) {
+  if (layer.form == Form::pieces) return kFlung;
   if (layer.directionality == Directionality::neutral) return "the directionality is neutral";
   return layer.directionality == Directionality::burst && preset.burst == BurstKind::air && layer.parent.empty() ? "an air burst throws in all directions" : "";
 }
-Why withoutDeviation(double deviation) { return deviation == 0.0 ? "the deviation is 0" : ""; }
+Why withoutDeviation(const Layer& layer, double deviation) { return layer.form == Form::pieces ? kFlung : deviation == 0.0 ? "the deviation is 0" : ""; }
 Why straight(const Preset&, const Layer& layer) { return layer.trajectory == Trajectory::linear ? "the trajectory is linear" : ""; }
 Why alongTheGround(const Preset&, const Layer& layer) { return layer.follow_ground ? "the layer flows along the ground" : ""; }
 Why withoutContact(const Preset& preset, const Layer& layer) { return layer.collide ? alongTheGround(preset, layer) : "ground collision is off"; }
 Why offAPath(const Preset&, const Layer& layer) { return layer.parent.empty() || layer.trigger != Trigger::path ? "the layer is not spread along a path" : ""; }
 Why withoutTurbulence(const Preset&, const Layer& layer) { return layer.turbulence_m == 0.0 ? "there is no turbulence" : ""; }
-Why cold(const Preset&, const Layer& layer) { return layer.temperature_k > 0.0 ? "" : "the layer is cold"; }
+Why notGlowing(const Preset&, const Layer& layer) { return layer.form == Form::pieces ? "pieces of a model do not glow" : ""; }
+Why cold(const Preset&, const Layer& layer) { return layer.form == Form::pieces ? "pieces of a model do not glow" : layer.temperature_k > 0.0 ? "" : "the layer is cold"; }
+Why ofThePieces(const Preset&, const Layer& layer) { return layer.form == Form::pieces ? "the pieces have the model's colours" : ""; }
 Why overLife(const Preset&, const Layer& layer) { return layer.colour_over_life.empty() ? "" : "the colour over life replaces it"; }
 
 void addIdentity(Rows& rows) {
@@ -43,7 +54,7 @@ void addHierarchy(Rows& rows) {
 }
 
 void addRegion(Rows& rows) {
-  rows.push_back(row(&Layer::region_shape, RegionShape::disc, {.key = "region.shape", .label = "Region shape", .thesis = "shape of the region", .doc = "Where particles start. Disc, ring and square lie on the ground plane, line along x; the others have height.", .section = region}));
+  rows.push_back(row(&Layer::region_shape, RegionShape::disc, {.key = "region.shape", .label = "Region shape", .thesis = "shape of the region", .doc = "Where particles start. Disc, ring and square lie on the ground plane, line along x; the others have height.", .section = region, .idle = inNoRegion}));
   rows.push_back(row(&Layer::region_fill, RegionFill::filled, {.key = "region.fill", .label = "Region fill", .thesis = "", .doc = "Particles start throughout the region, or only on its outer curve or surface (a disc's rim, a sphere's skin, a line's two ends).", .section = region, .idle = ofAPoint}));
   rows.push_back(row(&Layer::region_radius_m, 3.0, {.key = "region.radius", .label = "Region radius", .thesis = "size of the region", .doc = "Radius of disc, ring, sphere, hemisphere and cylinder.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}, .idle = unlessShape<RegionShape::disc, RegionShape::ring, RegionShape::sphere, RegionShape::hemisphere, RegionShape::cylinder>}));
   rows.push_back(row(&Layer::region_inner_radius_m, 1.5, {.key = "region.inner_radius", .label = "Inner radius", .thesis = "", .doc = "Inner radius of a ring; larger than the radius counts as equal to it.", .section = region, .unit = Unit::metre, .hard = {0, 1000}, .slider = {0, 30}, .idle = unlessShape<RegionShape::ring>}));
@@ -57,18 +68,18 @@ void addRegion(Rows& rows) {
 
 void addLaunch(Rows& rows) {
   rows.push_back(row(&Layer::direction, Vec3{0.0, 1.0, 0.0}, {.key = "direction", .label = "Direction", .thesis = "principal orientation", .doc = "Principal direction of the ejection, of any length but zero: x east, y up, z south.", .section = launch, .hard = {-1000, 1000}, .slider = {-1, 1}, .idle = inAllDirections}));
-  rows.push_back(row(&Layer::directionality, Directionality::burst, {.key = "directionality", .label = "Directionality", .thesis = "directionality", .doc = "Cone: within the ejection angle of the direction. Neutral: equally in all directions. Burst: a cone in a ground burst, neutral in an air burst.", .section = launch}));
+  rows.push_back(row(&Layer::directionality, Directionality::burst, {.key = "directionality", .label = "Directionality", .thesis = "directionality", .doc = "Cone: within the ejection angle of the direction. Neutral: equally in all directions. Burst: a cone in a ground burst, neutral in an air burst.", .section = launch, .idle = flung}));
   rows.push_back(row(&Layer::ejection_angle_rad, 50.0, {.key = "ejection_angle", .label = "Ejection angle", .thesis = "Ejection angle", .doc = "Limiting angle between a particle's launch and the principal direction; the lean of the template's sides.", .section = launch, .unit = Unit::degree, .hard = {0, 180}, .slider = {0, 90}, .idle = inAllDirections}));
   rows.push_back(row(&Layer::angle_distribution, AngleDistribution::normal, {.key = "angle_distribution", .label = "Angle distribution", .thesis = "normal distribution within the ejection angle", .doc = "Normal: angle from the direction is half-normal, its deviation half the ejection angle, cut off at the ejection angle. Uniform: every direction within the cone is as likely (uniform in solid angle). Place: particles lean as the template's sides, tan(angle) growing from 0 at the region's centre to the ejection angle's at its rim.", .section = launch, .idle = inAllDirections}));
   rows.push_back(row(&Layer::outward, true, {.key = "outward", .label = "Outward", .thesis = "", .doc = "A particle leans away from the region's centre, as the template's sides do; otherwise to a random side.", .section = launch, .idle = inAllDirections}));
-  rows.push_back(row(&Layer::speed_mean_mps, 15.0, {.key = "speed_mean", .label = "Y-mag", .thesis = "Y-mag", .doc = "Mean launch speed; the template's height.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 3000}, .slider = {0, 150}}));
-  rows.push_back(row(&Layer::speed_deviation_mps, 3.0, {.key = "speed_deviation", .label = "Y-mag deviation", .thesis = "variance of Y-mag", .doc = "Standard deviation of the launch speed, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 1000}, .slider = {0, 50}}));
-  rows.push_back(row(&Layer::speed_distribution, Distribution::normal, {.key = "speed_distribution", .label = "Y-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation (thesis eq. 4.18 with Rand() read as -1 to 1).", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer.speed_deviation_mps); }}));
-  rows.push_back(row(&Layer::size_mean_m, 0.6, {.key = "size_mean", .label = "XZ-mag", .thesis = "XZ-mag", .doc = "Mean particle size (diameter of the sphere around it); the template's overall scale.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0.01, 5}, .scale = Scale::logarithmic}));
-  rows.push_back(row(&Layer::size_deviation_m, 0.15, {.key = "size_deviation", .label = "XZ-mag deviation", .thesis = "variance of XZ-mag", .doc = "Standard deviation of the size, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0, 2}}));
-  rows.push_back(row(&Layer::size_distribution, Distribution::normal, {.key = "size_distribution", .label = "XZ-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation.", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer.size_deviation_m); }}));
-  rows.push_back(row(&Layer::spin_mean_radps, 1.5, {.key = "spin_mean", .label = "Spin", .thesis = "", .doc = "Mean rate at which a particle tumbles about an axis of its own until it comes to rest.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 10}}));
-  rows.push_back(row(&Layer::spin_deviation_radps, 0.5, {.key = "spin_deviation", .label = "Spin deviation", .thesis = "", .doc = "Standard deviation of the tumbling rate.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 5}}));
+  rows.push_back(row(&Layer::speed_mean_mps, 15.0, {.key = "speed_mean", .label = "Y-mag", .thesis = "Y-mag", .doc = "Mean launch speed; the template's height.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 3000}, .slider = {0, 150}, .idle = flung}));
+  rows.push_back(row(&Layer::speed_deviation_mps, 3.0, {.key = "speed_deviation", .label = "Y-mag deviation", .thesis = "variance of Y-mag", .doc = "Standard deviation of the launch speed, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre_per_second, .hard = {0, 1000}, .slider = {0, 50}, .idle = flung}));
+  rows.push_back(row(&Layer::speed_distribution, Distribution::normal, {.key = "speed_distribution", .label = "Y-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation (thesis eq. 4.18 with Rand() read as -1 to 1).", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer, layer.speed_deviation_mps); }}));
+  rows.push_back(row(&Layer::size_mean_m, 0.6, {.key = "size_mean", .label = "XZ-mag", .thesis = "XZ-mag", .doc = "Mean particle size (diameter of the sphere around it); the template's overall scale.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0.01, 5}, .scale = Scale::logarithmic, .idle = flung}));
+  rows.push_back(row(&Layer::size_deviation_m, 0.15, {.key = "size_deviation", .label = "XZ-mag deviation", .thesis = "variance of XZ-mag", .doc = "Standard deviation of the size, or its largest departure from the mean where the distribution is uniform. Draws below zero count as zero.", .section = launch, .unit = Unit::metre, .hard = {0, 100}, .slider = {0, 2}, .idle = flung}));
+  rows.push_back(row(&Layer::size_distribution, Distribution::normal, {.key = "size_distribution", .label = "XZ-mag distribution", .thesis = "eq. 4.18", .doc = "Normal, or uniform within mean +- deviation.", .section = launch, .idle = [](const Preset&, const Layer& layer) { return withoutDeviation(layer, layer.size_deviation_m); }}));
+  rows.push_back(row(&Layer::spin_mean_radps, 1.5, {.key = "spin_mean", .label = "Spin", .thesis = "", .doc = "Mean rate at which a particle tumbles about an axis of its own until it comes to rest.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 10}, .idle = flung}));
+  rows.push_back(row(&Layer::spin_deviation_radps, 0.5, {.key = "spin_deviation", .label = "Spin deviation", .thesis = "", .doc = "Standard deviation of the tumbling rate.", .section = launch, .unit = Unit::revolution_per_second, .hard = {0, 100}, .slider = {0, 5}, .idle = flung}));
 }
 
 void addTime(Rows& rows) {
@@ -96,15 +107,26 @@ void addGround(Rows& rows) {
 }
 
 void addLook(Rows& rows) {
-  rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices. A shock is a blast front with its ring on the ground: its size is the diameter at the end of its life, and growth and fading follow the law of a strong shock unless curves over life are given. A scorch is a burnt patch on the ground under the particle.", .section = look}));
+  rows.push_back(row(&Layer::form, Form::tetrahedron, {.key = "form", .label = "Form", .thesis = "tetrahedron", .doc = "What a particle is drawn as; disc and sphere are the thesis's earlier choices. A shock is a blast front with its ring on the ground: its size is the diameter at the end of its life, and growth and fading follow the law of a strong shock unless curves over life are given. A scorch is a burnt patch on the ground under the particle. Pieces are those of a model that comes apart; see the parameters of that group.", .section = look}));
   rows.push_back(row(&Layer::colour, Colour{0.82, 0.70, 0.52}, {.key = "colour", .label = "Initial colour", .thesis = "initial colour", .doc = "Colour of the particles, sRGB.", .section = look, .hard = {0, 1}, .idle = overLife}));
-  rows.push_back(row(&Layer::colour_variation, 0.15, {.key = "colour_variation", .label = "Colour variation", .thesis = "", .doc = "Largest share by which a particle is brighter or darker than its layer.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
-  rows.push_back(row(&Layer::temperature_k, 0.0, {.key = "temperature", .label = "Temperature", .thesis = "", .doc = "Temperature at birth of what is so hot that it glows, as a black body of it does: fragments from about 1200 K, fire about 1900 K. 0 does not glow.", .section = look, .unit = Unit::kelvin, .hard = {0, 6000}, .slider = {0, 3000}}));
+  rows.push_back(row(&Layer::colour_variation, 0.15, {.key = "colour_variation", .label = "Colour variation", .thesis = "", .doc = "Largest share by which a particle is brighter or darker than its layer.", .section = look, .unit = Unit::fraction, .hard = {0, 1}, .idle = ofThePieces}));
+  rows.push_back(row(&Layer::temperature_k, 0.0, {.key = "temperature", .label = "Temperature", .thesis = "", .doc = "Temperature at birth of what is so hot that it glows, as a black body of it does: fragments from about 1200 K, fire about 1900 K. 0 does not glow.", .section = look, .unit = Unit::kelvin, .hard = {0, 6000}, .slider = {0, 3000}, .idle = notGlowing}));
   rows.push_back(row(&Layer::cooling_s, 1.0, {.key = "cooling", .label = "Cooling", .thesis = "", .doc = "Time after which the temperature has fallen to 63 %, as that of a body does that cools by its radiation.", .section = look, .unit = Unit::second, .hard = {0.01, 600}, .slider = {0.1, 20}, .scale = Scale::logarithmic, .idle = cold}));
   rows.push_back(row(&Layer::opacity, 1.0, {.key = "opacity", .label = "Opacity", .thesis = "", .doc = "Opacity of the particles.", .section = look, .unit = Unit::fraction, .hard = {0, 1}}));
   rows.push_back(row(&Layer::colour_over_life, Gradient{}, {.key = "colour_over_life", .label = "Colour over life", .thesis = "", .doc = "Stops [fraction of life, colour]; replaces the initial colour. Empty keeps it.", .section = look, .hard = {0, 1}}));
   rows.push_back(row(&Layer::opacity_over_life, Curve{}, {.key = "opacity_over_life", .label = "Opacity over life", .thesis = "", .doc = "Points [fraction of life, factor on the opacity]. Empty is 1 throughout.", .section = look, .hard = {0, 1}}));
   rows.push_back(row(&Layer::size_over_life, Curve{}, {.key = "size_over_life", .label = "Size over life", .thesis = "", .doc = "Points [fraction of life, factor on the size]. Empty is 1 throughout.", .section = look, .hard = {0, 100}, .slider = {0, 4}}));
+}
+
+void addPieces(Rows& rows) {
+  rows.push_back(row(&Layer::pieces_model, std::string("block"), {.key = "pieces.model", .label = "Model", .thesis = "", .doc = "The model that comes apart into as many pieces as there are particles: a shipped one, such as tank or truck, or an OBJ file in the preset's folder or below, named with .obj. It stands with its origin at the region's offset, turned by the heading.", .section = pieces, .hard = {0, 200}, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_scale, 1.0, {.key = "pieces.scale", .label = "Scale", .thesis = "", .doc = "Metres that the model's unit of length stands for.", .section = pieces, .hard = {0.001, 1000}, .slider = {0.1, 10}, .scale = Scale::logarithmic, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_heading_rad, 0.0, {.key = "pieces.heading", .label = "Heading", .thesis = "", .doc = "Where the model's front points, clockwise from north (-z).", .section = pieces, .unit = Unit::degree, .hard = {-360, 360}, .slider = {-180, 180}, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_density_kgpm3, 1000.0, {.key = "pieces.density", .label = "Mass density", .thesis = "", .doc = "Mass of a piece by its volume. Models are solid: for what is hollow, its mass over its outer volume (masonry 2000, a tank 2500, a car 250).", .section = pieces, .unit = Unit::kilogram_per_metre3, .hard = {1, 30000}, .slider = {50, 8000}, .scale = Scale::logarithmic, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_impulse_Pas, 10.0, {.key = "pieces.impulse", .label = "Impulse", .thesis = "", .doc = "Impulse per area that the burst gives at its place. A piece leaves with this times the area it shows to the burst over its mass; it turns as the impulse passes by its centre of mass.", .section = pieces, .unit = Unit::kilopascal_second, .hard = {0, 1000}, .slider = {0, 50}, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_reach_m, 3.0, {.key = "pieces.reach", .label = "Reach", .thesis = "", .doc = "Distance from the burst at which half of the impulse is left; far beyond, it falls with the square of the distance.", .section = pieces, .unit = Unit::metre, .hard = {0.01, 1000}, .slider = {0.1, 30}, .scale = Scale::logarithmic, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_burst_m, Vec3{}, {.key = "pieces.burst", .label = "Burst point", .thesis = "", .doc = "Where the burst that flings the pieces is, relative to the model's origin, in the directions of the world. Pieces leave along the line from there to their centres, the nearest first where the layer has a duration.", .section = pieces, .unit = Unit::metre, .hard = {-1000, 1000}, .slider = {-10, 10}, .idle = withoutPieces}));
+  rows.push_back(row(&Layer::pieces_stand, true, {.key = "pieces.stand", .label = "Stands before", .thesis = "", .doc = "The model stands whole from the beginning until its pieces start; otherwise it appears when they do.", .section = pieces, .idle = withoutPieces}));
 }
 
 }  // namespace
@@ -119,6 +141,7 @@ std::vector<Parameter> layerRows() {
   addFlight(rows);
   addGround(rows);
   addLook(rows);
+  addPieces(rows);
   return rows;
 }
 

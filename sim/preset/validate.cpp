@@ -2,6 +2,7 @@
 
 #include "sim/core/text.h"
 
+#include <npsee/fragments.h>
 #include <npsee/parameters.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 
 /// Memory a compiled preset may take, bytes.
 constexpr double kMaxMemory = 4.0 * 1024 * 1024 * 1024;
+/// What the pieces of one model take at most: 600,000 triangles with their points.
+constexpr double kPiecesMemory = 48.0 * 1024 * 1024;
 
 std::string at(std::size_t layer, std::string_view key = {}) {
   std::string out = "/layers/" + std::to_string(layer);
@@ -80,6 +83,16 @@ void checkDirections(const Preset& preset, std::vector<PresetFault>& faults) {
       faults.push_back({at(i, "direction"), at(i), "the direction has no length.", "Straight up is [0, 1, 0]."});
 }
 
+void checkPieces(const Preset& preset, std::vector<PresetFault>& faults) {
+  for (std::size_t i = 0; i < preset.layers.size(); ++i) {
+    const Layer& layer = preset.layers[i];
+    if (layer.form != Form::pieces) continue;
+    if (std::string wrong = wrongModelName(layer.pieces_model); !wrong.empty()) faults.push_back({at(i, "pieces.model"), at(i, "form"), std::move(wrong), "Name a shipped model, such as tank, or an OBJ file beside the preset."});
+    if (const std::int64_t count = particleCount(layer); count < 1 || count > kMaxPieces)
+      faults.push_back({at(i, "count"), at(i, "form"), "the model would come apart into " + std::to_string(count) + " pieces.", "Set count to 1 up to " + std::to_string(kMaxPieces) + "."});
+  }
+}
+
 }  // namespace
 
 namespace {
@@ -109,9 +122,13 @@ double particleBudget(const Preset& preset) {
 }
 
 double memoryBudget(const Preset& preset) {
-  // 32 bytes an arc and 4 for finding it; 60 for what a particle draws.
+  // 32 bytes an arc and 4 for finding it; 60 for what a particle draws. Pieces of a model have a pose each, and a mesh that is bounded.
   double total = 0.0;
-  for (const Layer& layer : preset.layers) total += mostParticles(preset, layer) * (60.0 + 36.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
+  for (const Layer& layer : preset.layers) {
+    const bool pieces = layer.form == Form::pieces;
+    total += mostParticles(preset, layer) * (60.0 + (pieces ? 48.0 : 0.0) + 36.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
+    if (pieces && layer.enabled) total += kPiecesMemory;
+  }
   return total;
 }
 
@@ -122,6 +139,7 @@ std::vector<PresetFault> relationFaults(const Preset& preset) {
   checkNames(preset, faults);
   checkParents(preset, faults);
   checkDirections(preset, faults);
+  checkPieces(preset, faults);
   if (faults.empty()) {
     if (const double budget = particleBudget(preset); budget > static_cast<double>(kMaxParticles))
       faults.push_back({"/layers", "", "the layers start " + shortest(budget) + " particles, above the limit of " + std::to_string(kMaxParticles) + ".",

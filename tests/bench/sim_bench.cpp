@@ -61,6 +61,23 @@ BENCHMARK_CAPTURE(at, positions_velocities, kVelocity, 0.0)->ArgNames({"particle
 BENCHMARK_CAPTURE(at, everything, kAllFields, 0.0)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
 BENCHMARK_CAPTURE(at, everything_in_eddies, kAllFields, 1.5)->ArgNames({"particles", "avx2"})->Args({100000, 0})->Args({100000, 1});
 
+/// A model of about 2,000 triangles: cutting alone, and a layer of its pieces.
+void cutModel(benchmark::State& state) {
+  const SolidModel model = *findSolidModel("house", {});
+  for (auto _ : state) benchmark::DoNotOptimize(cutToPieces(model, state.range(0), 1000.0, {1993, 1}));
+}
+BENCHMARK(cutModel)->Arg(20)->Arg(200)->Arg(2000)->Unit(benchmark::kMillisecond);
+
+void comeApart(benchmark::State& state) {
+  Preset preset;
+  preset.layers.emplace_back();
+  preset.layers[0].form = Form::pieces;
+  preset.layers[0].pieces_model = "house";
+  preset.layers[0].count = state.range(0);
+  for (auto _ : state) benchmark::DoNotOptimize(Explosion::compile(preset));
+}
+BENCHMARK(comeApart)->Arg(200)->Arg(2000)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace npsee
 

@@ -183,5 +183,19 @@ TEST(Document, AFailedSaveOrLoadLosesNothing) {
   EXPECT_TRUE(document.path().empty());
 }
 
+TEST(Document, SavedElsewhereItTakesTheModelsBesideItAlong) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "from/models");
+  std::filesystem::create_directories(folder / "to");
+  test::spill(folder / "from/models/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  test::spill(folder / "from/whole.npsee.json", R"({"npsee": 1, "layers": [{"name": "whole", "count": 4, "form": "pieces", "pieces": {"model": "models/a.obj"}}]})");
+  Document document;
+  ASSERT_TRUE(document.load(folder / "from/whole.npsee.json").has_value());
+  ASSERT_TRUE(document.saveAs(folder / "to/whole").has_value());
+  EXPECT_EQ(test::slurp(folder / "to/models/a.obj"), test::slurp(folder / "from/models/a.obj"));
+  EXPECT_EQ(document.preset().folder.path, std::filesystem::path(folder / "to"));
+  EXPECT_FALSE(document.dirty());
+}
+
 }  // namespace
 }  // namespace npsee::editor

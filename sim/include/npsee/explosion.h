@@ -1,5 +1,6 @@
 #pragma once
 
+#include <npsee/fragments.h>
 #include <npsee/ground.h>
 #include <npsee/preset.h>
 
@@ -47,6 +48,8 @@ struct LayerSpan {
   std::string name;
   std::size_t first = 0, count = 0;
   Form form{};
+  /// Form pieces: the model in pieces. Particle i of the layer is piece i modulo their number; its size is the piece's diameter.
+  std::shared_ptr<const Fragments> pieces = nullptr;
   double temperature_k = 0.0;  ///< at birth; 0 does not glow
   double cooling_s = 1.0;      ///< time to fall to 63 % of it
 };
@@ -64,14 +67,21 @@ struct CompileOptions {
   bool force_baseline = false;  ///< use the baseline instruction set even where AVX2 is present (for tests)
   double max_particles = std::numeric_limits<double>::infinity();  ///< budget of the caller, below kMaxParticles: a preset that may start more is refused
   double max_bytes = std::numeric_limits<double>::infinity();      ///< likewise for the memory it may take with all its bounces, bytes
+  /// Stands for the model of every layer of pieces, instead of the one named.
+  std::shared_ptr<const SolidModel> model = nullptr;
 };
+
+/// What is wrong with the models that a valid preset names: files that are missing or bad, models that do not come apart into so many
+/// pieces. Empty = nothing. Reads files.
+std::vector<Fault> modelFaults(const Preset& preset);
 
 /// A preset with all random draws made and all ground contacts found. Immutable; every member function is thread-safe and
 /// a pure function of its arguments.
 class Explosion {
  public:
   /// Compiles `preset` with `seed` (the preset's own if empty) over `ground` (flat at the preset's ground height if null).
-  /// Errors (input): an invalid preset, or one over the particle limit or a budget of `options`; nothing has been allocated then.
+  /// Errors (input): an invalid preset, one over the particle limit or a budget of `options`, or a model that cannot be read or taken apart;
+  /// nothing has been allocated for particles then.
   static Expected<std::shared_ptr<const Explosion>> compile(const Preset& preset,
                                                             std::optional<std::uint64_t> seed = std::nullopt,
                                                             const Ground* ground = nullptr,

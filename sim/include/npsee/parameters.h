@@ -17,7 +17,7 @@ using Value = std::variant<bool, std::int64_t, double, std::string, Vec3, Colour
 
 enum class ParameterType { boolean, integer, number, choice, text, vector, colour, curve, gradient };
 enum class Scope { burst, layer };
-enum class Section { about, burst, surroundings, layer, hierarchy, region, launch, time, flight, ground, look };
+enum class Section { about, burst, surroundings, layer, hierarchy, region, launch, time, flight, ground, look, pieces };
 enum class Scale { linear, logarithmic };
 
 struct Range {

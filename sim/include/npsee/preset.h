@@ -40,7 +40,7 @@ enum class Directionality { burst, cone, neutral };
 enum class AngleDistribution { normal, uniform, place };
 enum class Distribution { normal, uniform };
 enum class Trajectory { linear, parabolic };
-enum class Form { tetrahedron, disc, sphere, shard, streak, smoke, fire, flash, shock, scorch };
+enum class Form { tetrahedron, disc, sphere, shard, streak, smoke, fire, flash, shock, scorch, pieces };
 enum class Trigger { none, birth, path, bounce, death };
 enum class PathSpacing { time, distance };
 enum class Sky { day, dusk, night };
@@ -112,7 +112,22 @@ struct Layer {
   Curve opacity_over_life;
   Curve size_over_life;
 
+  std::string pieces_model;
+  double pieces_scale;
+  double pieces_heading_rad;
+  double pieces_density_kgpm3;
+  double pieces_impulse_Pas;
+  double pieces_reach_m;
+  Vec3 pieces_burst_m;
+  bool pieces_stand;
+
   friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// Where a value was read from. It is no part of the value: presets from two folders may be equal.
+struct FileFolder {
+  std::filesystem::path path;
+  friend bool operator==(const FileFolder&, const FileFolder&) { return true; }
 };
 
 /// An explosion preset: a plain value. Copying, comparing and storing it is all that undo needs.
@@ -131,6 +146,7 @@ struct Preset {
   Sky sky;
   std::int64_t seed;
   std::vector<Layer> layers;
+  FileFolder folder;  ///< the file's, against which models are looked for; not stored
 
   friend bool operator==(const Preset&, const Preset&) = default;
 };

@@ -30,6 +30,8 @@ enum class Unit {
   degree_per_second,      ///< rad/s inside
   kelvin,
   fraction,
+  kilogram_per_metre3,
+  kilopascal_second,      ///< Pa s inside
   particle,
 };
 
