@@ -55,7 +55,7 @@ void Session::swapCompared() {
 
 void Session::showVariations() {
   if (explosion_ != nullptr && explosion_->particleCount() > Variations::kMostParticles) {
-    notices.error = "Nine variations of " + std::to_string(explosion_->particleCount()) + " particles are too much at once.\n  Lower counts or densities to " + std::to_string(Variations::kMostParticles) + " particles first, or randomise (R).";
+    notices.error = "Nine variations of " + std::to_string(explosion_->particleCount()) + " particles are too much at once.\n  Lower counts or densities to " + std::to_string(Variations::kMostParticles) + " particles first, or randomise (D).";
     return;
   }
   variations.open = true;

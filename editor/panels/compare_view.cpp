@@ -94,7 +94,7 @@ void drawCompare(const PanelContext& ui, const Box& box) {
   if (share > 0.0f && compare.explosion() != nullptr)
     if (const ImTextureID texture = ui.pictures.other(ui.session, *compare.preset, *compare.explosion(), compare.frame, 0, static_cast<int>(box.width), static_cast<int>(box.height)))
       list.AddImage(texture, box.at, {box.at.x + share * box.width, box.end().y}, {0, 1}, {share, 0});
-  const float y = box.end().y - ui.px(76);
+  const float y = box.end().y - ui.px(106);
   const std::string name = ui.session.file().name() + ", as edited";
   if (split) {
     const float x = box.at.x + share * box.width;

@@ -74,9 +74,9 @@ const std::array kActions{
              if (!ui.session.design.solo.erase(name)) ui.session.design.solo.insert(name);
            }, hasLayer, [](Ui ui) { return hasLayer(ui) && ui.session.design.solo.contains(ui.session.document.layer().name); }, true, kExplosion},
     Action{"Layer", "Show all layers", "shift+S", [](Ui ui) { ui.session.design.solo.clear(); }, [](Ui ui) { return !ui.session.design.solo.empty(); }, nullptr, false, kExplosion},
-    Action{"Design", "Randomise layer", "R", [](Ui ui) { varyLayers(ui, ui.session.document.selected()); }, hasLayer, nullptr, false, kExplosion},
-    Action{"Design", "Randomise all layers", "ctrl+R", [](Ui ui) { varyLayers(ui, -1); }, hasLayer, nullptr, false, kExplosion},
-    Action{"Design", "Vary seed", "shift+R", varySeed, nullptr, nullptr, false, kExplosion},
+    Action{"Design", "Randomise layer", "D", [](Ui ui) { varyLayers(ui, ui.session.document.selected()); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Design", "Randomise all layers", "alt+D", [](Ui ui) { varyLayers(ui, -1); }, hasLayer, nullptr, false, kExplosion},
+    Action{"Design", "Vary seed", "shift+D", varySeed, nullptr, nullptr, false, kExplosion},
     Action{"Time", "Previous mark", "shift+Comma", [](Ui ui) { goToMark(ui, -1); }, nullptr, nullptr, true, kExplosion},
     Action{"Time", "Next mark", "shift+Period", [](Ui ui) { goToMark(ui, 1); }, nullptr, nullptr, false, kExplosion},
     Action{"Time", "Loop from here", "I", [](Ui ui) { ui.session.playback.beginRange(ui.session.playback.time_s); }, nullptr, nullptr, false, kExplosion},

@@ -43,7 +43,7 @@ void drawVaryStrip(const PanelContext& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(28), button = ui.px(26);
   ImGui::InvisibleButton("row:vary.amount", ImVec2(ui.px(80), height));
-  ui.resting("row:vary.amount", "How far randomising (R) may go from what is there; a row's lock keeps it out.");
+  ui.resting("row:vary.amount", "How far randomising (D) may go from what is there; a row's lock keeps it out.");
   rowText({at.x, at.y}, ui.px(80), height, ui.theme.dim, "Randomise");
   const float left = at.x + ui.px(88), right = at.x + width - 2.0f * button - ui.px(4);
   const NumberSpec spec{100.0 * design.amount, {1.0, 100.0}, {1.0, 100.0}, Scale::linear, true, false};
@@ -61,9 +61,9 @@ void drawVaryStrip(const PanelContext& ui) {
     ImGui::PopFont();
   }
   ImGui::SetCursorScreenPos({right, at.y + ui.px(1)});
-  if (iconButton(ui, Icon::dice, "randomise", "Randomise the selected layer (R)", false, 26, ui.session.document.hasLayer())) varyLayers(ui, ui.session.document.selected());
+  if (iconButton(ui, Icon::dice, "randomise", "Randomise the selected layer (D)", false, 26, ui.session.document.hasLayer())) varyLayers(ui, ui.session.document.selected());
   ImGui::SetCursorScreenPos({right + button + ui.px(2), at.y + ui.px(1)});
-  if (iconButton(ui, Icon::seed, "vary seed", "Another seed: other particles, the same settings (Shift+R)")) varySeed(ui);
+  if (iconButton(ui, Icon::seed, "vary seed", "Another seed: other particles, the same settings (Shift+D)")) varySeed(ui);
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   ImGui::Dummy(ImVec2(1, ui.px(2)));
 }

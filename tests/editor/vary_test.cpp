@@ -205,7 +205,7 @@ expect fragments.ejection_angle = noted
 expect fragments.speed_mean != noted
 key ctrl+Z
 expect fragments.speed_mean = noted
-key R
+key D
 expect fragments.speed_mean != noted
 rightclick row:fragments.ejection_angle
 click item:Unlock
@@ -214,7 +214,7 @@ doubleclick slider:vary.amount
 type 60
 key Enter
 expect vary.amount = 0.6
-key shift+R
+key shift+D
 expect seed = 1994
 expect undo = 2
 rightclick section:Launch
