@@ -347,5 +347,67 @@ TEST(Shelf, ANewSetReplacesTheOneUnderWayAndABadPresetLeavesAGap) {
   EXPECT_FALSE(shelf.busy());
 }
 
+TEST_F(EditorScript, AKeptStateIsComparedBesideALineThatIsDragged) {
+  passes(R"(set time 0.8
+key shift+C
+expect compare = split
+expect compare.name = kept state
+set fragments.speed_mean 60
+expect compare.alive = 100
+drag compare:divider 200 0
+expect compare.split > 0.7
+key C
+expect compare = off
+key C
+expect compare = split
+click "button:end comparing"
+expect compare = off
+expect undo = 1
+)");
+}
+
+TEST_F(EditorScript, FlippingShowsTheStateBeforeTheLastEditAndSwappingEditsIt) {
+  passes(R"(set time 0.8
+set fragments.speed_mean 60
+key X
+expect compare = flip
+expect compare.flipped = yes
+expect compare.name contains Y-mag
+key X
+expect compare.flipped = no
+click "choice:compare"
+click "choice:compare=now"
+expect compare.name = kept state
+click toggle:swap
+expect compare != off
+)");
+}
+
+TEST_F(EditorScript, AVariationIsAdoptedByAClickOrItsNumber) {
+  passes(R"(set time 0.6
+key shift+V
+expect variations = yes
+expect visible variation:1
+expect visible variation:9
+note
+click variation:3
+expect undo = 1
+expect undo.label = Adopt variation
+expect fragments.speed_mean != noted
+key alt+1
+expect undo = 2
+click variation:5
+expect undo = 2
+click "button:other variations"
+expect undo = 2
+key Escape
+expect variations = no
+key ctrl+Z
+key ctrl+Z
+expect fragments.speed_mean = noted
+expect dirty = no
+)");
+}
+
 }  // namespace
 }  // namespace npsee::editor
