@@ -36,12 +36,14 @@ MOMENTS = {
     "impact_dry": "1.1",
     "impact_small": "0.7",
     "mortar": "1.0",
+    "vehicle_apart": "0.85",
     "vehicle_fireball": "1.5",
     "wall_of_fire": "2.4",
     "white_smoke_shell": "2.8",
 }
 # The whole effect otherwise; a firework's ground and its way up would make its flower small.
 CAMERAS = {
+    "vehicle_apart": "eye=13,5,16 target=0,2.4,0",
     "firework_crossette": "eye=27,36,80 target=0,41.5,0",
     "firework_peony": "eye=26,36,76 target=0,41.5,0",
     "firework_willow": "eye=26,34,80 target=0,36,0",
