@@ -158,7 +158,7 @@ void drawSwitches(const PanelContext& ui, const Box& box) {
   float width = ui.px(8);
   for (const Switch& each : switches) width += chipWidth(ui, each.label);
   if (width > box.width - ui.px(90)) return;  // a narrow viewport has them in the menu
-  const ImVec2 at{box.right() - width - ui.px(14), box.end().y - ui.px(70)};  // the view tools stand below
+  const ImVec2 at{box.right() - width - ui.px(14), box.end().y - ui.px(42)};  // the view tools stand above
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ui.px(28)}, faded(ui.theme.background, 0.82f), ui.px(4));
   float x = at.x + ui.px(4);
   for (const Switch& each : switches) {
