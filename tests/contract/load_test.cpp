@@ -6,16 +6,16 @@
 
 #include <sys/resource.h>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define NPSEE_SANITIZED 1
-#else
-#define NPSEE_SANITIZED 0
-#endif
-
 namespace npsee {
 namespace {
 
 using test::npseeRun;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
 
 /// Largest resident memory that a child of this process had, MiB.
 long mostMemory() {
@@ -25,7 +25,7 @@ long mostMemory() {
 }
 
 void expectMemoryBelow(long limit_mib) {
-  if (NPSEE_SANITIZED) return;  // a sanitizer keeps several times as much
+  if (kSanitized) return;  // a sanitizer keeps several times as much
   EXPECT_LT(mostMemory(), limit_mib);
 }
 
