@@ -57,6 +57,8 @@ class RendererPictures final : public Pictures {
     beside.ground_height_m = preset.ground_height_m;
     beside.ground_colour = preset.ground_colour;
     beside.sky = preset.sky;
+    beside.grid = grid;
+    beside.background = behind;
     return id(renderer_.drawToTexture(beside, session.camera, width, height, kFirstSlot + which));
   }
 

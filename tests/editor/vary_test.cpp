@@ -383,6 +383,13 @@ expect compare != off
 )");
 }
 
+TEST_F(EditorScript, BothSidesOfAComparisonHaveTheChosenBackground) {
+  passes("set time 0.8\nclick toggle:view\nclick item:Black\nkey Escape\nkey shift+C\nexpect compare = split\nmouse 3 200\nwait 40\nsave " + in("split.png") + "\n", {"--size", "1280x760"});
+  // Left and right of the viewport's upper part, where there is sky otherwise.
+  const render::Image image = picture("split.png");
+  for (const int x : {300, 830}) EXPECT_EQ(image.pixel(x, 200)[0] + image.pixel(x, 200)[1] + image.pixel(x, 200)[2], 0) << x;
+}
+
 TEST_F(EditorScript, AVariationIsAdoptedByAClickOrItsNumber) {
   passes(R"(set time 0.6
 key shift+V
