@@ -23,7 +23,7 @@ float ownNumber(std::uint32_t index) { return static_cast<float>((index * 265443
 
 BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in_layer, const LayerSpan& layer) {
   const Form form = layer.form;
-  const double temperature = frame.age.size() > i ? temperatureAt(layer, static_cast<double>(frame.age[i])) : 0.0;
+  const double temperature = temperatureAt(layer, frame, i);
   BlendedInstance out{frame.x[i], frame.y[i], frame.z[i], frame.size[i], frame.r[i], frame.g[i], frame.b[i], frame.a[i], {0.0f, 0.0f, 0.0f, 1.0f}, kindOf(form), {}};
   if (!isSoft(form)) {
     if (frame.qw.size() > i) {

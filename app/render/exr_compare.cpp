@@ -1,5 +1,7 @@
 #include "app/render/exr_compare.h"
 
+#include "app/render/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -62,10 +64,7 @@ double rolledOff(double c) {
   return std::min(c, kKnee) + (1.0 - kKnee) * over / (1.0 + over);
 }
 
-std::uint16_t srgb(double c) {
-  const double coded = c < 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(coded, 0.0, 1.0)));
-}
+std::uint16_t coded(double c) { return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(srgbFromLinear(c), 0.0, 1.0))); }
 
 }  // namespace
 
@@ -93,7 +92,7 @@ DeepImage shown(const FloatImage& image) {
     for (std::size_t c = 0; c < 3; ++c) light[c] = rolledOff(std::max(static_cast<double>(pixel[c]), 0.0));
     // Light without cover needs some alpha to be kept.
     const double alpha = std::clamp(std::max(static_cast<double>(pixel[3]), std::ranges::max(light)), 0.0, 1.0);
-    for (std::size_t c = 0; c < 3; ++c) out.rgba[i + c] = srgb(std::min(light[c] / std::max(alpha, 1e-4), 1.0));
+    for (std::size_t c = 0; c < 3; ++c) out.rgba[i + c] = coded(std::min(light[c] / std::max(alpha, 1e-4), 1.0));
     out.rgba[i + 3] = static_cast<std::uint16_t>(std::lround(65535.0 * alpha));
   }
   return out;

@@ -1,17 +1,12 @@
 #include "app/render/finish_pass.h"
 
 #include "app/gl/state.h"
+#include "app/render/srgb.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace npsee::render {
-namespace {
-
-/// IEC 61966-2-1.
-float linearFromSrgb(double c) { return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4)); }
-
-}  // namespace
 
 Expected<FinishPass> FinishPass::create() {
   FinishPass pass;
@@ -114,6 +109,8 @@ void setBloom(const gl::Program& program, const BloomLight& bloom) {
   glBindSampler(2, 0);
 }
 
-void setPlain(const gl::Program& program, const Colour& plain) { program.set("u_plain", linearFromSrgb(plain.r), linearFromSrgb(plain.g), linearFromSrgb(plain.b)); }
+void setPlain(const gl::Program& program, const Colour& plain) {
+  program.set("u_plain", static_cast<float>(linearFromSrgb(plain.r)), static_cast<float>(linearFromSrgb(plain.g)), static_cast<float>(linearFromSrgb(plain.b)));
+}
 
 }  // namespace npsee::render

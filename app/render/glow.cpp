@@ -38,7 +38,7 @@ Glow glowOf(const Frame& frame, std::span<const LayerSpan> layers) {
       moment = moment + area * place;
       spread += area * dot(place, place);
       Colour colour{static_cast<double>(frame.r[i]), static_cast<double>(frame.g[i]), static_cast<double>(frame.b[i])};
-      if (layer.temperature_k > 0.0 && frame.age.size() > i) colour = hotColour(colour, temperatureAt(layer, static_cast<double>(frame.age[i])));
+      if (layer.temperature_k > 0.0) colour = hotColour(colour, temperatureAt(layer, frame, i));
       light = light + (area * bright) * Vec3{linear(colour.r), linear(colour.g), linear(colour.b)};
       largest_m = std::max(largest_m, radius);
     }

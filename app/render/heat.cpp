@@ -1,5 +1,6 @@
 #include "app/render/heat.h"
 
+#include "app/render/srgb.h"
 #include "app/render/view.h"
 
 #include <algorithm>
@@ -24,8 +25,6 @@ constexpr std::size_t kSteps = 32;
 /// Light at a wavelength at T beside that at `beside`, by Wien's law.
 double wien(double wavelength_m, double temperature_k, double beside_k) { return std::exp(-kC2 / wavelength_m * (1.0 / temperature_k - 1.0 / beside_k)); }
 
-double coded(double c) { return c < 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055; }
-
 /// Colour with a largest component of 1.
 Vec3 chroma(double temperature_k) {
   const Vec3 light{wien(kWavelengths_m[0], temperature_k, kWhite_K), wien(kWavelengths_m[1], temperature_k, kWhite_K), wien(kWavelengths_m[2], temperature_k, kWhite_K)};
@@ -40,6 +39,8 @@ double temperatureAt(const LayerSpan& layer, double age_s) {
   return layer.temperature_k > 0.0 ? layer.temperature_k / std::cbrt(1.0 + 3.0 * std::max(age_s, 0.0) / layer.cooling_s) : 0.0;
 }
 
+double temperatureAt(const LayerSpan& layer, const Frame& frame, std::size_t i) { return frame.age.size() > i ? temperatureAt(layer, static_cast<double>(frame.age[i])) : 0.0; }
+
 Vec3 emittedLight(double temperature_k) {
   const double bright = brightness(temperature_k);
   return bright > 0.0 ? bright * chroma(temperature_k) : Vec3{};
@@ -49,7 +50,7 @@ Colour hotColour(const Colour& own, double temperature_k) {
   const double share = std::min(brightness(temperature_k), 1.0);
   if (share <= 0.0) return own;
   const Vec3 hot = chroma(temperature_k);
-  const auto mixed = [&](double cold, double light) { return cold + share * (coded(light) - cold); };
+  const auto mixed = [&](double cold, double light) { return cold + share * (srgbFromLinear(light) - cold); };
   return {mixed(own.r, hot.x), mixed(own.g, hot.y), mixed(own.b, hot.z)};
 }
 
@@ -60,7 +61,7 @@ void temperaturesOf(const Frame& frame, std::span<const LayerSpan> layers, std::
   for (const LayerSpan& layer : layers) {
     if (layer.temperature_k <= 0.0) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) out[i] = static_cast<float>(temperatureAt(layer, static_cast<double>(frame.age[i])));
+    for (std::size_t i = layer.first; i < end; ++i) out[i] = static_cast<float>(temperatureAt(layer, frame, i));
   }
 }
 

@@ -1,6 +1,6 @@
 #include "app/render/glow.h"
 
-#include "app/render/renderer.h"
+#include "tests/support/rendering.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
@@ -29,22 +29,12 @@ Scene outdoors(const test::HandMade& made) {
   return scene;
 }
 
-struct Glowing : testing::Test {
-  void SetUp() override {
-    auto made_context = gl::makeOffscreenContext();
-    ASSERT_TRUE(made_context) << made_context.error().text();
-    context = std::move(*made_context);
-    auto made = Renderer::create();
-    ASSERT_TRUE(made) << made.error().text();
-    renderer = std::move(*made);
-  }
+struct Glowing : test::Rendering {
   Image draw(const Scene& scene, const Camera& camera) {
-    auto image = renderer->drawToImage(scene, camera, kWidth, kHeight);
+    auto image = renderer_->drawToImage(scene, camera, kWidth, kHeight);
     EXPECT_TRUE(image) << image.error().text();
     return image ? *image : Image{};
   }
-  std::unique_ptr<gl::Context> context;
-  std::unique_ptr<Renderer> renderer;
 };
 
 int brightness(const Image& image, int x, int y) {

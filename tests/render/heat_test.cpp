@@ -1,7 +1,7 @@
 // Hot particles: how they cool, what they give off, and what is seen of it.
 #include "app/render/heat.h"
 
-#include "app/render/renderer.h"
+#include "tests/support/rendering.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
@@ -58,15 +58,7 @@ TEST(Heat, ASoftFormTakesTheColourOfItsHeatAndThenItsOwn) {
   EXPECT_GT(flame.g, flame.b);
 }
 
-struct Heated : testing::Test {
-  void SetUp() override {
-    auto made_context = gl::makeOffscreenContext();
-    ASSERT_TRUE(made_context) << made_context.error().text();
-    context = std::move(*made_context);
-    auto made = Renderer::create();
-    ASSERT_TRUE(made) << made.error().text();
-    renderer = std::move(*made);
-  }
+struct Heated : test::Rendering {
   /// A large piece in the middle of a picture, at a temperature.
   Image piece(double temperature_k, double opacity = 1.0) {
     test::HandMade made;
@@ -79,12 +71,10 @@ struct Heated : testing::Test {
     Camera camera;
     camera.eye = {0.0, 5.0, 12.0};
     camera.target = {0.0, 5.0, 0.0};
-    auto image = renderer->drawToImage(scene, camera, 96, 64);
+    auto image = renderer_->drawToImage(scene, camera, 96, 64);
     EXPECT_TRUE(image) << image.error().text();
     return image ? *image : Image{};
   }
-  std::unique_ptr<gl::Context> context;
-  std::unique_ptr<Renderer> renderer;
 };
 
 TEST_F(Heated, AHotPieceGlowsRedAndAHotterOneYellow) {
