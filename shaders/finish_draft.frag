@@ -1,11 +1,15 @@
 #version 330 core
 #include "finish.glsl"
-uniform sampler2D u_scene;   // linear premultiplied light of the effect, in a part of the texture
-uniform vec2 u_per_pixel;    // its texels for a pixel
-uniform vec2 u_used;         // texels of it that are drawn
-uniform vec2 u_texels;       // of the whole texture
+uniform sampler2D u_scene;  // linear premultiplied light of the effect, in a part of the texture
+uniform vec2 u_scale;       // pixels of the picture to one of the draft, each way
 
+// What a draft adds to the finished picture behind it, so that this one keeps its sharp lines: (1 - a) of what is behind and this make the
+// finished pixel. It is not below 0, since the coding is concave and 0 at 0. Without anything behind: the coded colour, premultiplied.
 void main() {
-  vec2 at = clamp(gl_FragCoord.xy * u_per_pixel, vec2(0.5), u_used - 0.5);
-  lay(texture(u_scene, at / u_texels), ivec2(gl_FragCoord.xy));
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 scene = texelFetch(u_scene, at, 0);
+  ivec2 place = ivec2(gl_FragCoord.xy * u_scale);
+  float a = min(scene.a, 1.0);
+  vec4 whole = coded(scene, place);
+  o_colour = u_behind == 0 ? vec4(whole.rgb * whole.a, whole.a) : vec4(max(whole.rgb - (1.0 - a) * srgbFromLinear(behindAt(place)), 0.0), a);
 }

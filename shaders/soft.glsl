@@ -30,9 +30,17 @@ vec4 streak() {
   return vec4(mix(u_haze_colour * a, v_colour.rgb * (1.2 + 2.0 * across * along) * a, v_clear), a);
 }
 
+// What smoke and fire have in common at a fragment.
+struct Cloud {
+  float a;      // cover
+  float body;   // share of the densest, 0..1
+  float noise;  // 0..1
+  float edge;   // 1 in the middle, 0 at the rim
+};
+
 // A ball of cloud whose rim is eaten by noise, so that neighbours run into each other instead of standing as balls. Its cover follows
 // the length of the chord through it, as that of a medium does.
-vec4 puff() {
+Cloud cloudHere() {
   float r2 = dot(v_disc, v_disc);
   if (r2 >= 1.0) discard;
   vec2 turned = vec2(v_turn.x * v_disc.x - v_turn.y * v_disc.y, v_turn.y * v_disc.x + v_turn.x * v_disc.y);
@@ -45,21 +53,26 @@ vec4 puff() {
   float body = clamp(1.5 * (edge - 0.85 * (1.0 - noise)), 0.0, 1.0);
   float depth = v_dense * body * (1.0 + 3.0 * body);
   float a = depth * (2.0 + depth) / ((1.0 + depth) * (1.0 + depth)) * groundFade();
-  if (v_kind < 1.5) {
-    float bulge = sqrt(edge);
-    vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (bulge + 0.35 * noise) * u_back);
-    // Light wraps around a cloud, and its hollows lie in shadow.
-    float facing = dot(normal, kKeyDirection);
-    float wrapped = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
-    float sun = wrapped * mix(v_shade.y, v_shade.x, 0.5 + 0.5 * facing);
-    // Even soot scatters some of what meets it; without it the sun would draw no side on it.
-    vec3 albedo = v_colour.rgb + 0.045;
-    vec3 light = kKeyLight * (1.3 * sun * (0.35 + 0.65 * noise)) + ambientLight(normal) * (v_shade.z * (0.7 + 0.3 * noise));
-    return vec4(mix(u_haze_colour * a, (dimmed(albedo * light) + albedo * v_glow) * a, v_clear), a);
-  }
-  float heat = body * body * (0.6 + 0.8 * noise);
+  return Cloud(a, body, noise, edge);
+}
+
+vec4 smokeLight(Cloud cloud) {
+  float bulge = sqrt(cloud.edge);
+  vec3 normal = normalize(v_disc.x * u_right + v_disc.y * u_up + (bulge + 0.35 * cloud.noise) * u_back);
+  // Light wraps around a cloud, and its hollows lie in shadow.
+  float facing = dot(normal, kKeyDirection);
+  float wrapped = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
+  float sun = wrapped * mix(v_shade.y, v_shade.x, 0.5 + 0.5 * facing);
+  // Even soot scatters some of what meets it; without it the sun would draw no side on it.
+  vec3 albedo = v_colour.rgb + 0.045;
+  vec3 light = kKeyLight * (1.3 * sun * (0.35 + 0.65 * cloud.noise)) + ambientLight(normal) * (v_shade.z * (0.7 + 0.3 * cloud.noise));
+  return vec4(mix(u_haze_colour * cloud.a, (dimmed(albedo * light) + albedo * v_glow) * cloud.a, v_clear), cloud.a);
+}
+
+vec4 fireLight(Cloud cloud) {
+  float heat = cloud.body * cloud.body * (0.6 + 0.8 * cloud.noise);
   vec3 glow = v_colour.rgb * (0.9 + 2.6 * heat) + vec3(0.9, 0.45, 0.12) * heat * heat;
-  return vec4(mix(u_haze_colour * (0.85 * a), glow * a, v_clear), a * 0.85);
+  return vec4(mix(u_haze_colour * (0.85 * cloud.a), glow * cloud.a, v_clear), cloud.a * 0.85);
 }
 
 vec4 flash() {
@@ -76,6 +89,8 @@ vec4 flash() {
 // Premultiplied.
 vec4 softLight() {
   if (v_kind < 0.5) return streak();
-  if (v_kind < 2.5) return puff();
-  return flash();
+  if (v_kind > 2.5) return flash();
+  Cloud cloud = cloudHere();
+  if (v_kind < 1.5) return smokeLight(cloud);
+  return fireLight(cloud);
 }

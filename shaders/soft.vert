@@ -45,8 +45,19 @@ vec2 leftThrough(vec2 depth) {
 
 const float kShutter = 1.0 / 50.0;  // s, what a streak's length shows of its motion
 
+// Corners of the octagon around the unit disc, in the order of a strip: a sixth of a square's pixels lie outside a disc.
+const float kShort = 0.41421357;  // tan(22.5 degrees)
+const vec2 kOctagon[8] = vec2[8](vec2(-1.0, -kShort), vec2(-kShort, -1.0), vec2(-1.0, kShort), vec2(kShort, -1.0),
+                                 vec2(-kShort, 1.0), vec2(1.0, -kShort), vec2(kShort, 1.0), vec2(1.0, kShort));
+
+// A streak is a rectangle; what is left of its strip has no area.
+vec2 cornerOf(bool streak) {
+  int n = min(gl_VertexID, 3);
+  return streak ? vec2(float(n & 1), float(n >> 1)) * 2.0 - 1.0 : kOctagon[gl_VertexID];
+}
+
 void main() {
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  vec2 corner = cornerOf(a_kind < 0.5);
   vec3 centre = vec3(a_x, a_y, a_z);
   vec3 to_eye = u_eye - centre;
   float pixel = u_metre_per_pixel * length(to_eye);

@@ -17,7 +17,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& o) {
   option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly. A video shows the whole effect if it is left out", "A:B");
   option("--fps", o.fps, "Frames per second of a sequence or video, and what motion is measured over: 30 (default), 29.97, 30000/1001", "RATE");
   option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
-  option("--quality", o.quality, "draft (half the resolution, for a look: about four times faster where smoke is heavy), normal (default), or fine (16 pictures in one: smooth edges, pieces blurred by a shutter of 1/50 s)", "QUALITY");
+  option("--quality", o.quality, "draft (a third of the resolution, for a look: about four times faster where smoke is heavy), normal (default), or fine (16 pictures in one: smooth edges, pieces blurred by a shutter of 1/50 s)", "QUALITY");
   option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
   option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");
   option("--sheet", o.sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions", "CxR");

@@ -11,7 +11,7 @@ namespace {
 
 float kindOf(Form form) {
   switch (form) {
-    case Form::smoke: return 1.0f;
+    case Form::smoke: return kSmokeKind;
     case Form::fire: return 2.0f;
     case Form::flash: return 3.0f;
     default: return 0.0f;
@@ -49,7 +49,7 @@ BlendedInstance instanceOf(const Frame& frame, std::uint32_t i, std::uint32_t in
 
 }  // namespace
 
-void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const SmokeShade* shade) {
+void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, Blended wanted, const SmokeShade* shade) {
   entries_.clear();
   instances_.clear();
   runs_.clear();
@@ -57,6 +57,7 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     const LayerSpan& layer = layers[l];
     const bool soft = isSoft(layer.form);
     if (!soft && !isSolid(layer.form) && !layer.pieces) continue;
+    if (wanted != Blended::all && soft != (wanted == Blended::soft)) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       const float a = frame.a[i];

@@ -10,6 +10,9 @@
 
 namespace npsee::render {
 
+/// Which of a frame's blended particles are wanted.
+enum class Blended { all, soft, pieces };
+
 /// The particles that are blended (soft forms, and solid ones that are not opaque), from back to front. Ties keep the
 /// order of the frame, so that equal frames give equal pictures. Buffers are kept from frame to frame.
 class BlendOrder {
@@ -22,7 +25,7 @@ class BlendOrder {
   };
 
   /// `shade` is the light inside the smoke; without it all puffs stand in full light and none is left out as hidden by others.
-  void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const SmokeShade* shade = nullptr);
+  void sort(const Frame& frame, std::span<const LayerSpan> layers, const View& view, Blended wanted, const SmokeShade* shade = nullptr);
   std::span<const BlendedInstance> instances() const { return instances_; }
   std::span<const Run> runs() const { return runs_; }
 

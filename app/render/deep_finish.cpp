@@ -8,8 +8,7 @@ namespace npsee::render {
 
 Expected<DeepFinish> DeepFinish::create() {
   DeepFinish pass;
-  for (const auto& loaded : {pass.single_.load("tiles.vert", "deep.frag"), pass.smooth_.load("tiles.vert", "deep_smooth.frag")})
-    if (!loaded) return tl::unexpected<Error>(loaded.error());
+  if (auto loaded = pass.program_.load("tiles.vert", "deep.frag"); !loaded) return tl::unexpected<Error>(loaded.error());
   return pass;
 }
 
@@ -50,22 +49,21 @@ Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, boo
 void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const {
   const bool with_effect = bloom != nullptr;
   gl::drawPlainly();
-  const gl::Program& program = with_effect && target.smooth() ? smooth_ : single_;
-  program.use();
-  program.set("u_scene", 0);
-  program.set("u_backdrop", 1);
-  program.set("u_behind", behind);
-  program.set("u_effect", with_effect ? 1.0f : 0.0f);
-  program.set("u_linear", linear ? 1 : 0);
-  setPlain(program, plain);
-  setBloom(program, with_effect ? *bloom : BloomLight{});
+  program_.use();
+  program_.set("u_scene", 0);
+  program_.set("u_backdrop", 1);
+  program_.set("u_behind", behind);
+  program_.set("u_effect", with_effect ? 1.0f : 0.0f);
+  program_.set("u_linear", linear ? 1 : 0);
+  setPlain(program_, plain);
+  setBloom(program_, with_effect ? *bloom : BloomLight{});
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(with_effect && target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, with_effect ? target.effect() : target.backdrop());
+  glBindTexture(GL_TEXTURE_2D, with_effect ? target.effect() : target.backdrop());
   glBindSampler(0, 0);
-  tiles.draw(program, 0.0f);
+  tiles.draw(program_, 0.0f);
 }
 
 }  // namespace npsee::render

@@ -21,7 +21,7 @@ class DeepFinish {
  private:
   void draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const;
 
-  gl::Program single_, smooth_;
+  gl::Program program_;
   TileMask all_;
   TileMesh tiles_;
   gl::Texture result_;

@@ -4,6 +4,7 @@
 #include "app/render/meshes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace npsee::render {
 namespace {
@@ -29,6 +30,11 @@ double shadowStrength(Form form) {
 /// As kKeyDirection of shaders/common.glsl.
 constexpr Vec3 kTowardsSun{-0.5263, 0.7105, 0.4671};
 
+/// Puffs of smoke in a row for which a call of their own pays.
+constexpr std::size_t kLongRun = 32;
+/// Most steps in which what is blended and the edges of pieces among it are drawn in turn.
+constexpr std::size_t kSteps = 32;
+
 /// The span cut to the particles the frame really holds.
 std::size_t countIn(const LayerSpan& layer, const Frame& frame) {
   return layer.first >= frame.count ? 0 : std::min(layer.count, frame.count - layer.first);
@@ -47,34 +53,27 @@ Expected<EffectPasses> EffectPasses::create() {
   return passes;
 }
 
-Expected<void> EffectPasses::drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+template <class Pass, class Draw>
+Expected<void> EffectPasses::drawLayers(std::optional<Pass>& pass, Form form, const Frame& frame, std::span<const LayerSpan> layers, Draw draw) {
   for (const LayerSpan& layer : layers) {
     const std::size_t count = countIn(layer, frame);
-    if (count == 0 || layer.form != Form::scorch) continue;
-    if (auto made = makeOnce(scorch_); !made) return made;
-    scorch_->draw(view, frame_, layer.first, count, ground);
+    if (count == 0 || layer.form != form) continue;
+    if (auto made = makeOnce(pass); !made) return made;
+    draw(*pass, layer, count);
   }
   return {};
+}
+
+Expected<void> EffectPasses::drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  return drawLayers(scorch_, Form::scorch, frame, layers, [&](ScorchPass& pass, const LayerSpan& layer, std::size_t count) { pass.draw(view, frame_, layer.first, count, ground); });
 }
 
 Expected<void> EffectPasses::drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  for (const LayerSpan& layer : layers) {
-    const std::size_t count = countIn(layer, frame);
-    if (count == 0 || layer.form != Form::shock) continue;
-    if (auto made = makeOnce(shock_); !made) return made;
-    shock_->drawRings(view, frame_, layer.first, count, ground);
-  }
-  return {};
+  return drawLayers(shock_, Form::shock, frame, layers, [&](ShockPass& pass, const LayerSpan& layer, std::size_t count) { pass.drawRings(view, frame_, layer.first, count, ground); });
 }
 
 Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  for (const LayerSpan& layer : layers) {
-    const std::size_t count = countIn(layer, frame);
-    if (count == 0 || layer.form != Form::shock) continue;
-    if (auto made = makeOnce(shock_); !made) return made;
-    shock_->drawShells(view, frame_, layer.first, count, ground);
-  }
-  return {};
+  return drawLayers(shock_, Form::shock, frame, layers, [&](ShockPass& pass, const LayerSpan& layer, std::size_t count) { pass.drawShells(view, frame_, layer.first, count, ground); });
 }
 
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
@@ -117,27 +116,82 @@ Expected<void> EffectPasses::drawOpaque(const Frame& frame, std::span<const Laye
   return {};
 }
 
-Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  shade_.build(frame, layers, kTowardsSun);
-  shade_.lookFrom(view.eye);
-  order_.sort(frame, layers, view, &shade_);
-  if (order_.instances().empty()) return {};
-  blended_.upload(order_.instances());
+Expected<void> EffectPasses::drawSoft(std::size_t first, std::size_t end, const View& view, const GroundLevel& ground) {
+  if (first >= end) return {};
+  if (auto made = makeOnce(soft_, ParticleOutput::light); !made) return made;
+  soft_->setDetail(detail_);
+  const auto isSmoke = [&](std::size_t i) { return order_.instances()[i].kind == kSmokeKind; };
+  std::size_t pending = first;
+  for (std::size_t i = first; i < end;) {
+    std::size_t smoke_end = i;
+    while (smoke_end < end && isSmoke(smoke_end)) ++smoke_end;
+    if (smoke_end - i >= kLongRun || (i == pending && smoke_end == end)) {
+      if (i > pending) soft_->draw(view, blended_, pending, i - pending, ground, false);
+      soft_->draw(view, blended_, i, smoke_end - i, ground, true);
+      pending = smoke_end;
+    }
+    i = smoke_end + 1;
+  }
+  if (pending < end) soft_->draw(view, blended_, pending, end - pending, ground, false);
+  return {};
+}
+
+Expected<void> EffectPasses::drawRuns(const View& view, const GroundLevel& ground, bool with_depth) {
   for (const BlendOrder::Run& run : order_.runs()) {
     if (run.pieces != nullptr) {
       if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
-      pieces_->drawBlended(view, run.pieces, order_.instances().subspan(run.first, run.count), ground);
-      continue;
+      pieces_->drawBlended(view, run.pieces, order_.instances().subspan(run.first, run.count), ground, with_depth);
+    } else if (!isSoft(run.form)) {
+      solid_.drawBlended(view, run.form, blended_, run.first, run.count, ground, with_depth);
+    } else if (auto drawn = drawSoft(run.first, run.first + run.count, view, ground); !drawn) {
+      return drawn;
     }
-    if (!isSoft(run.form)) {
-      solid_.drawBlended(view, run.form, blended_, run.first, run.count, ground);
-      continue;
-    }
-    if (auto made = makeOnce(soft_, ParticleOutput::light); !made) return made;
-    soft_->setDetail(detail_);
-    soft_->draw(view, blended_, run.first, run.count, ground);
   }
   return {};
+}
+
+Expected<void> EffectPasses::drawFading(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  order_.sort(frame, layers, view, Blended::pieces);
+  if (order_.instances().empty()) return {};
+  blended_.upload(order_.instances());
+  return drawRuns(view, ground, true);
+}
+
+Expected<void> EffectPasses::drawAmong(const PiecesDrawn& pieces, const View& view, const GroundLevel& ground) {
+  double nearest_m = std::numeric_limits<double>::infinity(), farthest_m = 0.0;
+  for (const PieceSpread::Extent& piece : pieces.spread.pieces) {
+    nearest_m = std::min(nearest_m, piece.nearest_m);
+    farthest_m = std::max(farthest_m, piece.farthest_m);
+  }
+  const auto soft = order_.instances();
+  const auto depth = [&](std::size_t i) { return view.depthOf(static_cast<double>(soft[i].x), static_cast<double>(soft[i].y), static_cast<double>(soft[i].z)); };
+  const auto firstBefore = [&](double depth_m) {
+    std::size_t i = 0;
+    while (i < soft.size() && depth(i) > depth_m) ++i;
+    return i;
+  };
+  const std::size_t begin = firstBefore(farthest_m), end = firstBefore(nearest_m), steps = std::min(kSteps, end - begin);
+  double behind_m = std::numeric_limits<double>::infinity();
+  std::size_t drawn = 0;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const std::size_t next = begin + (end - begin) * step / steps;
+    if (!pieces.spread.reaches(depth(next), behind_m)) continue;
+    if (auto done = drawSoft(drawn, next, view, ground); !done) return done;
+    pieces.edges.lay(pieces.target, pieces.spread, view, depth(next), behind_m);
+    behind_m = depth(next);
+    drawn = next;
+  }
+  if (auto done = drawSoft(drawn, end, view, ground); !done) return done;
+  pieces.edges.lay(pieces.target, pieces.spread, view, 0.0, behind_m);
+  return drawSoft(end, soft.size(), view, ground);
+}
+
+Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const PiecesDrawn* pieces) {
+  shade_.build(frame, layers, kTowardsSun);
+  shade_.lookFrom(view.eye);
+  order_.sort(frame, layers, view, pieces != nullptr ? Blended::soft : Blended::all, &shade_);
+  if (!order_.instances().empty()) blended_.upload(order_.instances());
+  return pieces != nullptr ? drawAmong(*pieces, view, ground) : drawRuns(view, ground, false);
 }
 
 Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
@@ -155,11 +209,10 @@ Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<con
 
 Expected<void> EffectPasses::drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface) {
   if (auto made = makeOnce(soft_surfaces_, ParticleOutput::surface); !made) return made;
-  order_.sort(frame, layers, view);
+  order_.sort(frame, layers, view, Blended::soft);
   if (order_.instances().empty()) return {};
   blended_.upload(order_.instances());
-  for (const BlendOrder::Run& run : order_.runs())
-    if (isSoft(run.form)) soft_surfaces_->drawSurfaces(view, blended_, run.first, run.count, ground, surface);
+  soft_surfaces_->drawSurfaces(view, blended_, 0, order_.instances().size(), ground, surface);
   return {};
 }
 

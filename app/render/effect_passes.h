@@ -2,6 +2,7 @@
 
 #include "app/render/blend_order.h"
 #include "app/render/glow_pass.h"
+#include "app/render/piece_edges.h"
 #include "app/render/pieces_pass.h"
 #include "app/render/smoke_shade.h"
 #include "app/render/smoke_shadow_pass.h"
@@ -35,7 +36,10 @@ class EffectPasses {
   Expected<void> drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawShockShells(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   Expected<void> drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
-  Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  /// Pieces that are not opaque, with their depth: for a picture of pieces alone.
+  Expected<void> drawFading(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  /// All that is blended; or, where pieces have been drawn before, the soft forms, with the edges of the pieces in their places.
+  Expected<void> drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const PiecesDrawn* pieces = nullptr);
 
   /// Draws depth and motion instead: of pieces that cover at least half of what is behind them, the nearest; of soft forms, blended (see
   /// shaders/soft_surface.frag).
@@ -43,6 +47,15 @@ class EffectPasses {
   Expected<void> drawSoftSurfaces(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const SurfaceFrame& surface);
 
  private:
+  /// Draws the runs of the order in turn.
+  Expected<void> drawRuns(const View& view, const GroundLevel& ground, bool with_depth);
+  /// Instances of soft forms; those of smoke alone by themselves, where they are many.
+  Expected<void> drawSoft(std::size_t first, std::size_t end, const View& view, const GroundLevel& ground);
+  Expected<void> drawAmong(const PiecesDrawn& pieces, const View& view, const GroundLevel& ground);
+  /// Calls draw(pass, layer, count) for each layer of a form that has particles in the frame, with the pass made.
+  template <class Pass, class Draw>
+  Expected<void> drawLayers(std::optional<Pass>& pass, Form form, const Frame& frame, std::span<const LayerSpan> layers, Draw draw);
+
   bool detail_ = true;
   SolidPass solid_;
   ShadowPass shadow_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace npsee::render {
 namespace {
@@ -15,13 +16,18 @@ constexpr double kMargin_px = 2.5;
 /// its radius per size and per metre of height, both stretched along the light.
 constexpr double kThrowX = 0.7408, kThrowZ = -0.6575, kBlobSize = 0.71, kBlobGrowth = 0.0142;
 
-/// Marks a ball of radius r around a point, or a disc of that radius on the ground; false if it may surround the eye,
-/// where anything is possible.
-bool markRound(TileMask& mask, const View& view, const Vec3& at, double r, bool flat) {
+/// What a ball of radius r around a point may cover, or a disc of that radius on the ground; nothing if it may surround the eye, where
+/// anything is possible.
+std::optional<PixelBox> boxOf(const TileMask& mask, const View& view, const Vec3& at, double r, bool flat) {
   const Vec3 from = at - view.eye;
   const double depth = -dot(view.back, from);
-  if (depth < -r) return true;
-  if (depth < 2.0 * r + 1e-3) return false;
+  // Beside the pyramid that is seen, where it is thinner than the ball.
+  const auto beside = [&](double across, double pixels) {
+    const double slope = 0.5 * pixels * view.metre_per_pixel;
+    return std::abs(across) - slope * depth > (r + kMargin_px * view.metre_per_pixel * length(from)) * std::sqrt(1.0 + slope * slope);
+  };
+  if (depth < -r || beside(dot(view.right, from), mask.width()) || beside(dot(view.up, from), mask.height())) return PixelBox{};
+  if (depth < 2.0 * r + 1e-3) return std::nullopt;
   // Half width along an axis of the camera.
   const auto half = [&](const Vec3& axis) { return flat ? r * std::sqrt(std::max(1.0 - axis.y * axis.y, 0.0)) : r; };
   const double x = dot(view.right, from) / depth, y = dot(view.up, from) / depth, along = half(view.back);
@@ -29,8 +35,14 @@ bool markRound(TileMask& mask, const View& view, const Vec3& at, double r, bool 
   const double scale = 1.0 / (view.metre_per_pixel * (depth - along));
   const double half_x = scale * (half(view.right) + along * std::abs(x)) + kMargin_px, half_y = scale * (half(view.up) + along * std::abs(y)) + kMargin_px;
   const double centre_x = x / view.metre_per_pixel + 0.5 * mask.width(), centre_y = y / view.metre_per_pixel + 0.5 * mask.height();
-  mask.mark(centre_x - half_x, centre_y - half_y, centre_x + half_x, centre_y + half_y);
-  return true;
+  return PixelBox{centre_x - half_x, centre_y - half_y, centre_x + half_x, centre_y + half_y};
+}
+
+/// Marks it; false if it may surround the eye.
+bool markRound(TileMask& mask, const View& view, const Vec3& at, double r, bool flat) {
+  const auto box = boxOf(mask, view, at, r, flat);
+  if (box) mask.mark(*box);
+  return box.has_value();
 }
 
 /// Largest distance from a particle's place to anything drawn of it. Pieces near the ground are lifted onto it.
@@ -53,6 +65,8 @@ bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, 
   return !on_ground || std::abs(at.y - ground_m) >= radius || markRound(mask, view, {at.x, ground_m, at.z}, radius + std::max(kRingWidth * radius, least), true);
 }
 
+Vec3 placeOf(const Frame& frame, std::size_t i) { return {static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}; }
+
 /// Whether a particle may be brighter than the roll-off's threshold: streaks are up to 3.2 times their colour, fire and flash more.
 bool mayDazzle(const Frame& frame, std::size_t i, Form form) {
   if (frame.size[i] <= 0.0f || frame.a[i] < 0.05f) return false;
@@ -68,9 +82,33 @@ void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
       if (!mayDazzle(frame, i, layer.form)) continue;
-      if (!markRound(mask, view, {static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}, reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
+      if (!markRound(mask, view, placeOf(frame, i), reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
     }
   }
+}
+
+void findPieces(PieceSpread& out, const TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  out.pieces.clear();
+  for (const LayerSpan& layer : layers) {
+    if (!isSolid(layer.form) && !layer.pieces) continue;
+    const std::size_t end = std::min(layer.first + layer.count, frame.count);
+    for (std::size_t i = layer.first; i < end; ++i) {
+      if (frame.size[i] <= 0.0f || frame.a[i] <= 0.0f) continue;
+      const Vec3 at = placeOf(frame, i);
+      const double reach = reachOf(frame, i, layer.form, at.y - ground.height_m), depth = view.depthOf(at.x, at.y, at.z);
+      const PixelBox whole{0.0, 0.0, static_cast<double>(mask.width()), static_cast<double>(mask.height())};
+      out.pieces.push_back({boxOf(mask, view, at, reach, false).value_or(whole), depth - reach, depth + reach});
+    }
+  }
+}
+
+bool PieceSpread::reaches(double nearest_m, double farthest_m) const {
+  return std::ranges::any_of(pieces, [&](const Extent& piece) { return piece.farthest_m >= nearest_m && piece.nearest_m <= farthest_m; });
+}
+
+void PieceSpread::mark(TileMask& mask, double nearest_m, double farthest_m) const {
+  for (const Extent& piece : pieces)
+    if (piece.farthest_m >= nearest_m && piece.nearest_m <= farthest_m) mask.mark(piece.box);
 }
 
 void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, bool shadows) {

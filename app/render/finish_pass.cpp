@@ -72,31 +72,50 @@ Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& til
   return {};
 }
 
-Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
-  if (target.draft() && !draft_)
-    if (auto loaded = draft_.load("tiles.vert", "finish_draft.frag"); !loaded) return loaded;
-  target.bindFinished();
-  gl::drawPlainly();
-  const gl::Program& program = target.draft() ? draft_ : target.smooth() ? smooth_ : single_;
+void FinishPass::setScene(const gl::Program& program, const Target& target, int behind, const Colour& plain) {
   program.use();
-  if (target.draft()) {
-    const auto set = [&](const char* name, double x, double y) { program.set(name, static_cast<float>(x), static_cast<float>(y)); };
-    set("u_per_pixel", static_cast<double>(target.effectWidth()) / target.width(), static_cast<double>(target.effectHeight()) / target.height());
-    set("u_used", target.effectWidth(), target.effectHeight());
-    set("u_texels", target.width(), target.height());
-  }
   program.set("u_scene", 0);
   program.set("u_backdrop", 1);
   program.set("u_behind", behind);
   setPlain(program, plain);
-  setBloom(program, bloom);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
   glBindSampler(0, 0);
+}
+
+Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
+  if (target.draft()) return layDraft(target, tiles, behind, plain);
+  target.bindFinished();
+  gl::drawPlainly();
+  const gl::Program& program = target.smooth() ? smooth_ : single_;
+  setScene(program, target, behind, plain);
+  setBloom(program, bloom);
   tiles.draw(program, 0.0f);
+  return {};
+}
+
+Expected<void> FinishPass::layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) {
+  if (!draft_) {
+    if (auto loaded = draft_.load("tiles.vert", "finish_draft.frag"); !loaded) return loaded;
+    if (auto loaded = enlarge_.load("tiles.vert", "enlarge_draft.frag"); !loaded) return loaded;
+  }
+  gl::drawPlainly();
+  target.bindDraft();
+  setScene(draft_, target, behind, plain);
+  const auto width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
+  draft_.set("u_scale", width / static_cast<float>(target.draftWidth()), height / static_cast<float>(target.draftHeight()));
+  tiles.draw(draft_, 0.0f);
+  target.bindFinished();
+  if (behind != 0) gl::blendOver();
+  enlarge_.use();
+  enlarge_.set("u_draft", 0);
+  enlarge_.set("u_picture", width, height);
+  enlarge_.set("u_straight", behind == 0 ? 1 : 0);
+  glBindTexture(GL_TEXTURE_2D, target.draftLight());
+  tiles.draw(enlarge_, 0.0f);
   return {};
 }
 

@@ -30,9 +30,12 @@ class FinishPass {
 
  private:
   Expected<void> lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom);
+  /// The effect's textures and uniforms that finish.glsl asks for.
+  static void setScene(const gl::Program& program, const Target& target, int behind, const Colour& plain);
+  Expected<void> layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain);
 
   gl::Program clear_, single_, smooth_;
-  gl::Program draft_, sum_;                // made when first needed
+  gl::Program draft_, enlarge_, sum_;     // made when first needed
   gl::Program mission_, mission_smooth_;  // made when first needed
 };
 

@@ -43,6 +43,9 @@ struct BlendedInstance {
   PuffLight light;  ///< of smoke
 };
 
+/// Kind of a puff of smoke.
+inline constexpr float kSmokeKind = 1.0f;
+
 class BlendedUpload {
  public:
   void upload(std::span<const BlendedInstance> instances);

@@ -169,7 +169,7 @@ void PiecesPass::drawSurfaces(const View& view, const Frame& frame, const LayerS
   drawModels(program_, frame, layer, ground);
 }
 
-void PiecesPass::drawBlended(const View& view, const std::shared_ptr<const Fragments>& pieces, std::span<const BlendedInstance> instances, const GroundLevel& ground) {
+void PiecesPass::drawBlended(const View& view, const std::shared_ptr<const Fragments>& pieces, std::span<const BlendedInstance> instances, const GroundLevel& ground, bool with_depth) {
   const Loaded& model = loaded(pieces);
   scratch_.clear();
   for (const BlendedInstance& instance : instances) {
@@ -183,7 +183,7 @@ void PiecesPass::drawBlended(const View& view, const std::shared_ptr<const Fragm
   prepare(program_, view, ground);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
+  glDepthMask(with_depth ? GL_TRUE : GL_FALSE);
   program_.set("u_opacity", 0.0f, 2.0f);
   glBindVertexArray(model.attributes.name());
   for (std::size_t i = 0; i < instances.size(); ++i) {

@@ -25,7 +25,7 @@ class PiecesPass {
   /// Depth and motion of those that cover at least half of what is behind them; needs a pass made for surfaces.
   void drawSurfaces(const View& view, const Frame& frame, const LayerSpan& layer, const GroundLevel& ground, const SurfaceFrame& surface);
   /// Pieces in the order given; the `kind` of an instance is the number of its piece.
-  void drawBlended(const View& view, const std::shared_ptr<const Fragments>& pieces, std::span<const BlendedInstance> instances, const GroundLevel& ground);
+  void drawBlended(const View& view, const std::shared_ptr<const Fragments>& pieces, std::span<const BlendedInstance> instances, const GroundLevel& ground, bool with_depth);
   /// Their shadows on the ground into a picture that holds nothing else yet: where shadows overlap it is no darker.
   void drawShadows(const View& view, const Frame& frame, const LayerSpan& layer, const GroundLevel& ground, double strength);
 

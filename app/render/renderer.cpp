@@ -10,6 +10,7 @@
 #include "app/render/hour_light.h"
 #include "app/render/make_once.h"
 #include "app/render/mission_scene.h"
+#include "app/render/piece_edges.h"
 #include "app/render/surface_pass.h"
 #include "app/render/target.h"
 #include "app/render/template_pass.h"
@@ -22,7 +23,7 @@
 namespace npsee::render {
 namespace {
 
-/// Most particles drawn with several samples per pixel, which take twice the time; among more, edges no longer show.
+/// Most pieces drawn with several samples per pixel, which take twice the time; among more, edges no longer show.
 constexpr std::size_t kMostSmooth = 10'000;
 
 Expected<void> checkSize(int width, int height) {
@@ -72,12 +73,14 @@ struct Renderer::Impl {
   // Shaders that not every picture needs are compiled when one does: start-up time counts.
   std::optional<TemplatePass> icon;
   std::optional<Bloom> bloom;
+  std::optional<PieceEdges> edges;
   std::optional<DeepFinish> deep;
   std::optional<SurfacePass> surfaces;
   FineFrames looks;
   std::function<void(std::string_view)> watch;
   TileMask mask, bright;  // touched by the effect; by what shines
   BloomLight spread;      // of the picture drawn last
+  PieceSpread pieces;     // of the picture drawn last, if they have several samples
   TileMesh tiles;
   std::array<Slot, kPictureSlots> slots;
 
@@ -88,8 +91,11 @@ struct Renderer::Impl {
   Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
   Expected<void> draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot);
-  /// Draws the particles of a frame into the bound framebuffer, whose tiles are cleared.
-  Expected<void> drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
+  /// Draws the particles of a frame into the bound framebuffer, whose tiles are cleared: the target's effect, if pieces are to have several
+  /// samples (else null).
+  Expected<void> drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target* smooth);
+  /// Pieces with several samples into the target's effect, and all that is blended among them.
+  Expected<void> drawAmongPieces(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, Target& target);
   /// The same by the scene's quality into the target's effect.
   Expected<void> drawEffect(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target& target);
   void passed(std::string_view pass) const;
@@ -152,13 +158,31 @@ void Renderer::Impl::passed(std::string_view pass) const {
   watch(pass);
 }
 
-Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
+Expected<void> Renderer::Impl::drawAmongPieces(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, Target& target) {
+  if (auto made = makeOnce(edges); !made) return made;
+  if (auto begun = edges->begin(target, finish, pieces); !begun) return begun;
+  if (auto drawn = effects.drawOpaque(frame, scene.layers, view, ground); !drawn) return drawn;
+  if (auto drawn = effects.drawFading(frame, scene.layers, view, ground); !drawn) return drawn;
+  passed("solid");
+  edges->settle(target, view);
+  passed("settle");
+  const PiecesDrawn drawn{*edges, target, pieces};
+  return effects.drawBlended(frame, scene.layers, view, ground, &drawn);
+}
+
+Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target* smooth) {
   effects.upload(frame, scene.layers);
   if (shadows)
     if (auto drawn = drawOnGround(frame, scene, view, ground, hourLight(scene.sky).shadows); !drawn) return drawn;
-  if (auto drawn = effects.drawOpaque(frame, scene.layers, view, ground); !drawn) return drawn;
-  passed("solid");
-  if (auto drawn = effects.drawBlended(frame, scene.layers, view, ground); !drawn) return drawn;
+  pieces.pieces.clear();
+  if (smooth != nullptr) findPieces(pieces, mask, frame, scene.layers, view, ground);
+  if (!pieces.pieces.empty() && pieces.pieces.size() <= kMostSmooth) {
+    if (auto drawn = drawAmongPieces(frame, scene, view, ground, *smooth); !drawn) return drawn;
+  } else {
+    if (auto drawn = effects.drawOpaque(frame, scene.layers, view, ground); !drawn) return drawn;
+    passed("solid");
+    if (auto drawn = effects.drawBlended(frame, scene.layers, view, ground); !drawn) return drawn;
+  }
   passed("blended");
   if (auto drawn = effects.drawShockShells(frame, scene.layers, view, ground); !drawn) return drawn;
   passed("shell");
@@ -168,9 +192,10 @@ Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& sc
 Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target& target) {
   effects.setDetail(scene.quality != Quality::draft);
   if (scene.quality == Quality::draft) {
-    target.beginDraft();
+    if (auto begun = target.beginDraft(); !begun) return begun;
+    finish.clear(tiles);
     passed("clear");
-    return drawParticles(*scene.frame, scene, view, ground, shadows);
+    return drawParticles(*scene.frame, scene, view, ground, shadows, nullptr);
   }
   const bool fine = scene.quality == Quality::fine;
   if (fine) {
@@ -178,11 +203,11 @@ Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, 
     finish.clear(tiles);
   }
   for (int look = 0; look < (fine ? FineFrames::kLooks : 1); ++look) {
-    if (auto begun = target.beginEffect(!fine && scene.frame->count <= kMostSmooth); !begun) return begun;
+    if (auto begun = target.beginEffect(false); !begun) return begun;
     finish.clear(tiles);
     passed("clear");
-    if (!fine) return drawParticles(*scene.frame, scene, view, ground, shadows);
-    if (auto drawn = drawParticles(looks.frameOf(*scene.frame, scene.layers, look), scene, FineFrames::viewOf(view, look, target.width(), target.height()), ground, shadows); !drawn) return drawn;
+    if (!fine) return drawParticles(*scene.frame, scene, view, ground, shadows, target.hasSamples() ? &target : nullptr);
+    if (auto drawn = drawParticles(looks.frameOf(*scene.frame, scene.layers, look), scene, FineFrames::viewOf(view, look, target.width(), target.height()), ground, shadows, nullptr); !drawn) return drawn;
     if (auto bound = target.bindSum(); !bound) return bound;
     if (auto added = finish.add(target, tiles, 1.0 / FineFrames::kLooks); !added) return added;
     passed("sum");
@@ -199,8 +224,8 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   Target& target = slot.target;
   if (outdoors) prepareBackdrop(scene, view, slot);
   passed("backdrop");
-  // Half the pixels a side show the same: each spans twice as much.
-  const int width = draft ? (target.width() + 1) / 2 : target.width(), height = draft ? (target.height() + 1) / 2 : target.height();
+  // A draft's pixels show as much with fewer: each spans more.
+  const int width = draft ? target.draftWidth() : target.width(), height = draft ? target.draftHeight() : target.height();
   View seen = view;
   seen.metre_per_pixel *= static_cast<double>(target.height()) / height;
   mask.reset(width, height);
@@ -231,7 +256,7 @@ Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, 
   image.height = slot.target.height();
   image.rgba.clear();
   if (request.colour) {
-    // Single precision is for pictures that are kept: it has no half size.
+    // Single precision is for pictures that are kept: it has no drafts.
     Scene whole = scene;
     if (scene.quality == Quality::draft) whole.quality = Quality::normal, whole.bloom = false;
     if (auto drawn = draw(whole, view, slot); !drawn) return drawn;

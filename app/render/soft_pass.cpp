@@ -7,6 +7,8 @@
 namespace npsee::render {
 namespace {
 
+/// Vertices of an instance; shaders/soft.vert makes them.
+constexpr GLsizei kCorners = 8;
 constexpr int kNoiseSize = 64;
 
 /// Integer hash of a lattice point (xorshift-multiply rounds); only its look matters.
@@ -50,43 +52,44 @@ gl::Texture makeNoise() {
 }  // namespace
 
 Expected<SoftPass> SoftPass::create(ParticleOutput output) {
-  auto program = gl::Program::fromFiles("soft.vert", output == ParticleOutput::surface ? "soft_surface.frag" : "soft.frag");
-  if (!program) return tl::unexpected<Error>(program.error());
   SoftPass pass;
-  pass.program_ = std::move(*program);
+  if (auto done = pass.program_.load("soft.vert", output == ParticleOutput::surface ? "soft_surface.frag" : "soft.frag"); !done) return tl::unexpected<Error>(done.error());
+  if (output == ParticleOutput::light)
+    if (auto done = pass.smoke_.load("soft.vert", "smoke.frag"); !done) return tl::unexpected<Error>(done.error());
   pass.attributes_ = gl::VertexArray::make();
   pass.noise_ = makeNoise();
   return pass;
 }
 
-void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
-  program_.use();
-  drawInstances(view, particles, first, count, ground);
+void SoftPass::draw(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, bool smoke) const {
+  const gl::Program& program = smoke ? smoke_ : program_;
+  program.use();
+  drawInstances(program, view, particles, first, count, ground);
 }
 
 void SoftPass::drawSurfaces(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame) const {
   program_.use();
   setSurfaceFrame(program_, frame);
-  drawInstances(view, particles, first, count, ground);
+  drawInstances(program_, view, particles, first, count, ground);
 }
 
-void SoftPass::drawInstances(const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
+void SoftPass::drawInstances(const gl::Program& program, const View& view, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);
-  setView(program_, view);
-  setGround(program_, view, ground);
-  program_.set("u_noise", 0);
-  program_.set("u_detail", detail_ ? 1.0f : 0.0f);
+  setView(program, view);
+  setGround(program, view, ground);
+  program.set("u_noise", 0);
+  program.set("u_detail", detail_ ? 1.0f : 0.0f);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, noise_.name());
   glBindSampler(0, 0);
   glBindVertexArray(attributes_.name());
   particles.bind(first, true);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, kCorners, static_cast<GLsizei>(count));
 }
 
 }  // namespace npsee::render

@@ -84,12 +84,12 @@ void SolidPass::drawSurfaces(const View& view, Form form, const FrameUpload& par
   drawInstances(mesh.mesh, count);
 }
 
-void SolidPass::drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) {
+void SolidPass::drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, bool with_depth) {
   const LoadedMesh& mesh = loaded(form);
   prepare(view, mesh, ground);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
+  glDepthMask(with_depth ? GL_TRUE : GL_FALSE);
   program_.set("u_opacity", 0.0f, 2.0f);
   particles.bind(first);
   drawInstances(mesh.mesh, count);

@@ -20,8 +20,8 @@ class SolidPass {
   /// Draws the depth and motion of those that cover at least half of what is behind them. Needs velocities uploaded, and a pass
   /// made for surfaces.
   void drawSurfaces(const View& view, Form form, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, const SurfaceFrame& frame);
-  /// Blends particles in the order given.
-  void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground);
+  /// Blends particles in the order given. With their depth they hide what is drawn later behind them.
+  void drawBlended(const View& view, Form form, const BlendedUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, bool with_depth);
 
  private:
   struct LoadedMesh {

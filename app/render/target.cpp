@@ -1,6 +1,7 @@
 #include "app/render/target.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -10,13 +11,13 @@ namespace {
 
 /// Samples per pixel of a smooth effect; shaders/finish_smooth.frag reads as many.
 constexpr GLint kSamples = 4;
-/// Largest picture with several samples: they take 48 bytes a pixel.
+/// Largest picture with several samples: they take 60 bytes a pixel.
 constexpr std::int64_t kMostSmoothPixels = 9'000'000;
 
-gl::Texture makeTexture(GLenum internal_format, GLenum type, int width, int height) {
+gl::Texture makeTexture(GLenum internal_format, GLenum type, int width, int height, GLenum format = GL_RGBA) {
   gl::Texture texture = gl::Texture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, GL_RGBA, type, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, format, type, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -25,21 +26,32 @@ gl::Texture makeTexture(GLenum internal_format, GLenum type, int width, int heig
   return texture;
 }
 
-gl::Renderbuffer makeRenderbuffer(GLenum format, int samples, int width, int height) {
+gl::Texture makeSampled(GLenum internal_format, int width, int height) {
+  gl::Texture texture = gl::Texture::make();
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture.name());
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, internal_format, width, height, GL_TRUE);
+  return texture;
+}
+
+gl::Renderbuffer makeDepth(int width, int height) {
   gl::Renderbuffer buffer = gl::Renderbuffer::make();
   glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
   return buffer;
 }
 
-gl::Framebuffer makeFramebuffer(const gl::Texture& colour, const gl::Texture* second = nullptr) {
+/// Output i goes into the i-th texture.
+gl::Framebuffer makeFramebuffer(std::initializer_list<const gl::Texture*> colours, GLenum kind = GL_TEXTURE_2D) {
   gl::Framebuffer frame = gl::Framebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
-  if (second == nullptr) return frame;
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, second->name(), 0);
-  const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glDrawBuffers(2, both);
+  std::array<GLenum, 3> outputs{};
+  GLsizei count = 0;
+  for (const gl::Texture* colour : colours) {
+    const GLenum output = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, output, kind, colour->name(), 0);
+    outputs.at(static_cast<std::size_t>(count++)) = output;
+  }
+  glDrawBuffers(count, outputs.data());
   return frame;
 }
 
@@ -66,11 +78,11 @@ Expected<void> Target::resize(int width, int height) {
   backdrop_ = makeTexture(GL_RGBA32F, GL_FLOAT, width, height);
   backdrop_finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
   finished_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, width, height);
-  depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, 0, width, height);
-  effect_frame_ = makeFramebuffer(effect_);
+  depth_ = makeDepth(width, height);
+  effect_frame_ = makeFramebuffer({&effect_});
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-  backdrop_frame_ = makeFramebuffer(backdrop_, &backdrop_finished_);
-  finished_frame_ = makeFramebuffer(finished_);
+  backdrop_frame_ = makeFramebuffer({&backdrop_, &backdrop_finished_});
+  finished_frame_ = makeFramebuffer({&finished_});
   if (auto made = checkComplete({&effect_frame_, &backdrop_frame_, &finished_frame_}, width, height); !made) {
     *this = Target();
     return made;
@@ -80,53 +92,88 @@ Expected<void> Target::resize(int width, int height) {
   return {};
 }
 
-Expected<void> Target::beginEffect(bool smooth) {
-  draft_ = summed_ = false;
+bool Target::hasSamples() const {
   GLint most = 1;
   glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
-  smooth_ = smooth && most >= kSamples && static_cast<std::int64_t>(width_) * height_ <= kMostSmoothPixels;
-  if (smooth_ && !samples_frame_) {
-    samples_ = gl::Texture::make();
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_.name());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA16F, width_, height_, GL_TRUE);
-    samples_depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, kSamples, width_, height_);
-    samples_frame_ = gl::Framebuffer::make();
-    glBindFramebuffer(GL_FRAMEBUFFER, samples_frame_.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, samples_.name(), 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_.name());
-    if (auto made = checkComplete({&samples_frame_}, width_, height_); !made) {
-      samples_frame_.reset();
-      return made;
-    }
-  }
-  glBindFramebuffer(GL_FRAMEBUFFER, smooth_ ? samples_frame_.name() : effect_frame_.name());
+  return most >= kSamples && static_cast<std::int64_t>(width_) * height_ <= kMostSmoothPixels;
+}
+
+Expected<void> Target::makeSamples() {
+  if (samples_frame_) return {};
+  samples_ = makeSampled(GL_RGBA16F, width_, height_);
+  samples_depth_ = makeSampled(GL_DEPTH_COMPONENT24, width_, height_);
+  samples_frame_ = makeFramebuffer({&samples_}, GL_TEXTURE_2D_MULTISAMPLE);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, samples_depth_.name(), 0);
+  auto made = checkComplete({&samples_frame_}, width_, height_);
+  if (!made) samples_frame_.reset();
+  return made;
+}
+
+void Target::bindWhole(const gl::Framebuffer& frame) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.name());
   glViewport(0, 0, width_, height_);
   glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_MULTISAMPLE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+Expected<void> Target::beginEffect(bool smooth) {
+  draft_ = summed_ = false;
+  smooth_ = smooth && hasSamples();
+  if (smooth_)
+    if (auto made = makeSamples(); !made) return made;
+  bindWhole(smooth_ ? samples_frame_ : effect_frame_);
+  glEnable(GL_MULTISAMPLE);
   return {};
 }
 
-void Target::beginDraft() {
+Expected<void> Target::beginPieces() {
+  if (auto made = makeSamples(); !made) return made;
+  if (!edges_frame_) {
+    edges_ = makeTexture(GL_RGBA16F, GL_HALF_FLOAT, width_, height_);
+    edge_depths_ = makeTexture(GL_R32F, GL_FLOAT, width_, height_, GL_RED);
+    edges_frame_ = makeFramebuffer({&effect_, &edges_, &edge_depths_});
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+    if (auto made = checkComplete({&edges_frame_}, width_, height_); !made) {
+      edges_frame_.reset();
+      return made;
+    }
+  }
+  bindWhole(samples_frame_);
+  glEnable(GL_MULTISAMPLE);
+  return {};
+}
+
+void Target::bindEdges() const { bindWhole(edges_frame_); }
+void Target::bindEffect() const { bindWhole(effect_frame_); }
+
+Expected<void> Target::beginDraft() {
+  if (!draft_frame_) {
+    draft_light_ = makeTexture(GL_RGBA8, GL_UNSIGNED_BYTE, draftWidth(), draftHeight());
+    draft_frame_ = makeFramebuffer({&draft_light_});
+    if (auto made = checkComplete({&draft_frame_}, draftWidth(), draftHeight()); !made) {
+      draft_frame_.reset();
+      return made;
+    }
+  }
   draft_ = true;
   smooth_ = summed_ = false;
-  glBindFramebuffer(GL_FRAMEBUFFER, effect_frame_.name());
-  glViewport(0, 0, effectWidth(), effectHeight());
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
+  bindWhole(effect_frame_);
+  glViewport(0, 0, draftWidth(), draftHeight());
+  return {};
+}
+
+void Target::bindDraft() const {
+  bindWhole(draft_frame_);
+  glViewport(0, 0, draftWidth(), draftHeight());
   // All of it: what is drawn larger looks beyond the tiles.
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 0, effectWidth(), effectHeight());
-  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f}, farthest = 1.0f;
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
   glClearBufferfv(GL_COLOR, 0, nothing);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  glDisable(GL_SCISSOR_TEST);
 }
 
 Expected<void> Target::bindSum() {
   if (!sum_frame_) {
     sum_ = makeTexture(GL_RGBA32F, GL_FLOAT, width_, height_);
-    sum_frame_ = makeFramebuffer(sum_);
+    sum_frame_ = makeFramebuffer({&sum_});
     if (auto made = checkComplete({&sum_frame_}, width_, height_); !made) {
       sum_frame_.reset();
       return made;
@@ -134,18 +181,12 @@ Expected<void> Target::bindSum() {
   }
   draft_ = smooth_ = false;
   summed_ = true;
-  glBindFramebuffer(GL_FRAMEBUFFER, sum_frame_.name());
-  glViewport(0, 0, width_, height_);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  bindWhole(sum_frame_);
   return {};
 }
 
 void Target::bindBackdrop() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, backdrop_frame_.name());
-  glViewport(0, 0, width_, height_);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  bindWhole(backdrop_frame_);
 }
 
 void Target::copyBackdrop() const {
@@ -157,10 +198,7 @@ void Target::copyBackdrop() const {
 }
 
 void Target::bindFinished() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, finished_frame_.name());
-  glViewport(0, 0, width_, height_);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  bindWhole(finished_frame_);
 }
 
 }  // namespace npsee::render

@@ -5,20 +5,21 @@
 
 namespace npsee::render {
 
-void TileMask::reset(int width, int height) {
+void TileMask::reset(int width, int height, int side) {
   width_ = width;
   height_ = height;
-  columns_ = (width + kSide - 1) / kSide;
-  rows_ = (height + kSide - 1) / kSide;
+  side_ = side;
+  columns_ = (width + side - 1) / side;
+  rows_ = (height + side - 1) / side;
   marked_ = 0;
   grid_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
 }
 
-void TileMask::mark(double left, double low, double right, double high) {
-  if (!(right >= 0.0 && high >= 0.0 && left < width_ && low < height_)) return;
-  const auto tile = [](double pixel, int count) { return static_cast<int>(std::clamp(pixel / kSide, 0.0, count - 1.0)); };
-  const int first_column = tile(left, columns_), last_column = tile(right, columns_), last_row = tile(high, rows_);
-  for (int row = tile(low, rows_); row <= last_row; ++row)
+void TileMask::mark(const PixelBox& box) {
+  if (!(box.right >= 0.0 && box.high >= 0.0 && box.left < width_ && box.low < height_)) return;
+  const auto tile = [&](double pixel, int count) { return static_cast<int>(std::clamp(pixel / side_, 0.0, count - 1.0)); };
+  const int first_column = tile(box.left, columns_), last_column = tile(box.right, columns_), last_row = tile(box.high, rows_);
+  for (int row = tile(box.low, rows_); row <= last_row; ++row)
     for (int column = first_column; column <= last_column; ++column) {
       std::uint8_t& cell = grid_[static_cast<std::size_t>(row * columns_ + column)];
       marked_ += cell == 0;
@@ -26,7 +27,7 @@ void TileMask::mark(double left, double low, double right, double high) {
     }
 }
 
-void TileMask::markAll() { mark(0.0, 0.0, width_, height_); }
+void TileMask::markAll() { mark({0.0, 0.0, static_cast<double>(width_), static_cast<double>(height_)}); }
 
 void TileMask::markAround(const TileMask& other, int tiles) {
   // Rows first, then columns: a square is both.
@@ -57,8 +58,8 @@ void TileMesh::upload(const TileMask& mask) {
       if (!mask.touched(column, row)) continue;
       const int first = column;
       while (column + 1 < mask.columns() && mask.touched(column + 1, row)) ++column;
-      const auto x0 = static_cast<float>(first * TileMask::kSide), x1 = static_cast<float>((column + 1) * TileMask::kSide);
-      const auto y0 = static_cast<float>(row * TileMask::kSide), y1 = static_cast<float>((row + 1) * TileMask::kSide);
+      const auto x0 = static_cast<float>(first * mask.side()), x1 = static_cast<float>((column + 1) * mask.side());
+      const auto y0 = static_cast<float>(row * mask.side()), y1 = static_cast<float>((row + 1) * mask.side());
       vertices_.insert(vertices_.end(), {x0, y0, x1, y0, x1, y1, x0, y0, x1, y1, x0, y1});
     }
   if (!attributes_) {

@@ -7,19 +7,25 @@
 
 namespace npsee::render {
 
-/// The parts of a picture that an effect touches, as squares of 16 pixels. An effect of a hundred pieces touches a small
+/// A rectangle of a picture, pixels from the lower left; empty where right < left.
+struct PixelBox {
+  double left = 1.0, low = 1.0, right = -1.0, high = -1.0;
+};
+
+/// The parts of a picture that an effect touches, as squares of 16 pixels or as many as wanted. An effect of a hundred pieces touches a small
 /// part; clearing, resolving and finishing the rest would cost more than drawing it.
 class TileMask {
  public:
   static constexpr int kSide = 16;
 
-  void reset(int width, int height);
-  /// Marks a rectangle given in pixels from the lower left; parts outside the picture do not count.
-  void mark(double left, double low, double right, double high);
+  void reset(int width, int height, int side = kSide);
+  /// Parts outside the picture do not count.
+  void mark(const PixelBox& box);
   void markAll();
   /// Marks all tiles within so many tiles of a marked one of a mask of the same size.
   void markAround(const TileMask& other, int tiles);
 
+  int side() const { return side_; }
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return marked_ == 0; }
@@ -28,7 +34,7 @@ class TileMask {
   int rows() const { return rows_; }
 
  private:
-  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  int width_ = 0, height_ = 0, side_ = kSide, columns_ = 0, rows_ = 0;
   std::size_t marked_ = 0;
   std::vector<std::uint8_t> grid_;
 };

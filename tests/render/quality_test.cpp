@@ -134,7 +134,7 @@ TEST_F(Qualities, PassesAreToldInOrder) {
   renderer_->watchPasses([&](std::string_view pass) { told.emplace_back(pass); });
   draw(burst(), Quality::normal);
   renderer_->watchPasses({});
-  EXPECT_EQ(told, (std::vector<std::string>{"backdrop", "clear", "scorch", "shadow", "glow", "ring", "solid", "blended", "shell", "bloom", "finish", "read"}));
+  EXPECT_EQ(told, (std::vector<std::string>{"backdrop", "clear", "scorch", "shadow", "glow", "ring", "solid", "settle", "blended", "shell", "bloom", "finish", "read"}));
 }
 
 }  // namespace

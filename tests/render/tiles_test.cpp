@@ -13,7 +13,7 @@ TEST(Tiles, AMarkTouchesExactlyTheTilesItOverlaps) {
   EXPECT_EQ(mask.columns(), 7);
   EXPECT_EQ(mask.rows(), 4);
   EXPECT_TRUE(mask.empty());
-  mask.mark(15.0, 40.0, 33.0, 90.0);
+  mask.mark({15.0, 40.0, 33.0, 90.0});
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 7; ++column) EXPECT_EQ(mask.touched(column, row), row >= 2 && column <= 2) << column << ' ' << row;
 }
@@ -21,9 +21,9 @@ TEST(Tiles, AMarkTouchesExactlyTheTilesItOverlaps) {
 TEST(Tiles, MarksOutsideThePictureTouchNothing) {
   TileMask mask;
   mask.reset(100, 50);
-  mask.mark(-30.0, 0.0, -1.0, 10.0);
-  mask.mark(100.0, 0.0, 130.0, 10.0);
-  mask.mark(0.0, 50.0, 10.0, 60.0);
+  mask.mark({-30.0, 0.0, -1.0, 10.0});
+  mask.mark({100.0, 0.0, 130.0, 10.0});
+  mask.mark({0.0, 50.0, 10.0, 60.0});
   EXPECT_TRUE(mask.empty());
 }
 
