@@ -47,8 +47,9 @@ class Cut {
       }
     const auto order = [](const Crossing& a, const Crossing& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; };
     std::ranges::sort(crossings_, order);
-    const auto again = std::ranges::unique(crossings_, [](const Crossing& a, const Crossing& b) { return a.low == b.low && a.high == b.high; });
-    crossings_.erase(again.begin(), again.end());
+    // Not of std::ranges: clang 14, which builds the fuzzers, cannot compile the subrange that its unique returns.
+    const auto same = [](const Crossing& a, const Crossing& b) { return a.low == b.low && a.high == b.high; };
+    crossings_.erase(std::unique(crossings_.begin(), crossings_.end(), same), crossings_.end());
     for (Crossing& crossing : crossings_) {
       const double low = height_[crossing.low], high = height_[crossing.high];
       // A corner on the plane is its own crossing.
