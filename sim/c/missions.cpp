@@ -1,6 +1,6 @@
 // The C interface to missions.
 
-#include "sim/c/guard.h"
+#include "sim/c/recorded.h"
 
 #include <npsee/mission.h>
 
@@ -78,8 +78,6 @@ MissionCommand commandOf(const npsee_order& order) {
   return out;
 }
 
-npsee_status refuseIndex(const char* what, std::size_t count) { return c::refuse(NPSEE_USAGE, "there are " + std::to_string(count) + " " + what + ", counted from 0."); }
-
 }  // namespace
 
 extern "C" {
@@ -142,11 +140,7 @@ size_t npsee_mission_events(const npsee_mission* mission) { return mission != nu
 
 npsee_status npsee_mission_event(const npsee_mission* mission, size_t index, char* buffer, size_t capacity, size_t* length) {
   NPSEE_NEEDS(mission);
-  return c::guarded(__func__, [&] {
-    const auto& events = mission->value.recording().events;
-    if (index >= events.size()) return refuseIndex("events", events.size());
-    return c::copyText(eventJson(events[index]), buffer, capacity, length);
-  });
+  return c::guarded(__func__, [&] { return c::event(mission->value.recording(), index, buffer, capacity, length); });
 }
 
 size_t npsee_mission_vehicles(const npsee_mission* mission) { return mission != nullptr ? mission->value.recording().vehicles.size() : 0; }
@@ -154,17 +148,7 @@ size_t npsee_mission_vehicles(const npsee_mission* mission) { return mission != 
 npsee_status npsee_mission_vehicle(const npsee_mission* mission, size_t index, double t_s, npsee_vehicle* vehicle) {
   NPSEE_NEEDS(mission);
   NPSEE_NEEDS(vehicle);
-  return c::guarded(__func__, [&] {
-    const Recording& recording = mission->value.recording();
-    if (index >= recording.vehicles.size()) return refuseIndex("vehicles", recording.vehicles.size());
-    if (!std::isfinite(t_s)) return c::refuse(NPSEE_USAGE, "the time is no finite number of seconds.");
-    const double at_s = std::clamp(t_s, 0.0, recording.duration_s);
-    const VehicleRecord& record = recording.vehicles[index];
-    const Pose pose = record.track.at(at_s);
-    *vehicle = {record.id.c_str(), record.type.name.c_str(), {}, pose.heading_rad, pose.speed_mps, record.destroyedAt(at_s) ? 1 : 0};
-    c::put(recording.vehiclePlace(index, at_s), vehicle->position_m);
-    return NPSEE_OK;
-  });
+  return c::guarded(__func__, [&] { return c::vehicle(mission->value.recording(), index, t_s, vehicle); });
 }
 
 size_t npsee_mission_shells(const npsee_mission* mission) { return mission != nullptr ? mission->value.recording().shells.size() : 0; }
@@ -172,31 +156,12 @@ size_t npsee_mission_shells(const npsee_mission* mission) { return mission != nu
 npsee_status npsee_mission_shell(const npsee_mission* mission, size_t index, double t_s, npsee_shell* shell) {
   NPSEE_NEEDS(mission);
   NPSEE_NEEDS(shell);
-  return c::guarded(__func__, [&] {
-    const auto& shells = mission->value.recording().shells;
-    if (index >= shells.size()) return refuseIndex("shells", shells.size());
-    if (!std::isfinite(t_s)) return c::refuse(NPSEE_USAGE, "the time is no finite number of seconds.");
-    const ShellRecord& record = shells[index];
-    const double at_s = std::clamp(t_s, record.fired_s, std::max(record.fired_s, record.burst_s));
-    *shell = {};
-    shell->number = record.number;
-    shell->fired_s = record.fired_s;
-    shell->burst_s = record.burst_s;
-    c::put(record.burst_m, shell->burst_m);
-    c::put(record.at(at_s), shell->position_m);
-    c::put(record.velocityAt(at_s), shell->velocity_mps);
-    shell->in_air = t_s >= record.fired_s && t_s < record.burst_s ? 1 : 0;
-    return NPSEE_OK;
-  });
+  return c::guarded(__func__, [&] { return c::shell(mission->value.recording(), index, t_s, shell); });
 }
 
 npsee_status npsee_mission_unmet(const npsee_mission* mission, char* buffer, size_t capacity, size_t* length) {
   NPSEE_NEEDS(mission);
-  return c::guarded(__func__, [&] {
-    std::string text;
-    for (const std::string& sentence : unmetExpectations(mission->value.recording())) text += sentence + '\n';
-    return c::copyText(text, buffer, capacity, length);
-  });
+  return c::guarded(__func__, [&] { return c::unmet(mission->value.recording(), buffer, capacity, length); });
 }
 
 npsee_status npsee_mission_save(const npsee_mission* mission, const char* path) {

@@ -92,7 +92,7 @@ TEST_F(Consumer, AProgramInCNeedsOnlyTheSharedLibrary) {
   ASSERT_EQ(configured.exit_code, 0) << configured.err;
   const auto built = cmake({"--build", folder_ / "build"});
   ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
-  const auto refused = test::run(folder_ / "build/c_consumer", {"errors"});
+  const auto refused = test::run(folder_ / "build/c_consumer", {"errors", std::string(NPSEE_SOURCE_DIR) + "/tests/data/v1/thesis_default.rec"});
   EXPECT_EQ(refused.exit_code, 0) << refused.err;
   const std::string preset = std::string(NPSEE_SOURCE_DIR) + "/presets/classic_1993.npsee.json";
   const auto installed = test::run(folder_ / "build/c_consumer", {"particles", preset, "0.5", "1"}), ours = test::run(NPSEE_C_CONSUMER, {"particles", preset, "0.5", "1"});

@@ -4,7 +4,9 @@
  *   c_consumer fly CHARGE ELEVATION_RAD                  range and time of flight of an m107
  *   c_consumer aim CHARGE RANGE_M                        lower elevation
  *   c_consumer mission FILE                              the event log as it comes
- *   c_consumer errors                                    every misuse must be refused; prints "refused N"
+ *   c_consumer record FILE RECORDING                     the mission to its end, saved
+ *   c_consumer recording FILE TIME                       duration and hash; the events from a time on; vehicles and shells at it
+ *   c_consumer errors RECORDING                          every misuse must be refused; prints "refused N"
  */
 
 #include <npsee/c.h>
@@ -130,6 +132,56 @@ static void mission(const char* file) {
   need(npsee_mission_advance(run, 1e9, print_event, &events));
   if (!npsee_mission_finished(run) || events != npsee_mission_events(run)) exit(7);
   npsee_mission_free(run);
+}
+
+static void record(const char* file, const char* out) {
+  npsee_scenario* scenario = NULL;
+  npsee_mission* run = NULL;
+  need(npsee_scenario_load(file, &scenario));
+  need(npsee_mission_start(scenario, &run));
+  npsee_scenario_free(scenario);
+  need(npsee_mission_advance(run, 1e9, NULL, NULL));
+  need(npsee_mission_save(run, out));
+  npsee_mission_free(run);
+}
+
+/* One line of the log, in a buffer as long as it needs. */
+static void print_recorded(const npsee_recording* recording, size_t index) {
+  size_t length = 0;
+  char* text;
+  need(npsee_recording_event(recording, index, NULL, 0, &length));
+  text = malloc(length + 1);
+  if (text == NULL) exit(6);
+  need(npsee_recording_event(recording, index, text, length + 1, NULL));
+  printf("event %s\n", text);
+  free(text);
+}
+
+static void recording(const char* file, double t_s) {
+  npsee_recording* kept = NULL;
+  npsee_vehicle vehicle;
+  npsee_shell shell;
+  const char* preset;
+  uint64_t seed;
+  double height_m;
+  size_t i;
+  need(npsee_recording_open(file, &kept));
+  printf("duration_s %.17g\nhash %s\n", npsee_recording_duration_s(kept), npsee_recording_hash(kept));
+  need(npsee_recording_seek(kept, t_s, &i));
+  printf("first %d\n", (int)i);
+  for (; i < npsee_recording_events(kept); ++i) print_recorded(kept, i);
+  for (i = 0; i < npsee_recording_vehicles(kept); ++i) {
+    need(npsee_recording_vehicle(kept, i, t_s, &vehicle));
+    need(npsee_recording_height(kept, vehicle.position_m[0], vehicle.position_m[2], &height_m));
+    printf("vehicle %s %.17g %.17g %.17g %.17g\n", vehicle.id, vehicle.position_m[0], vehicle.position_m[1], vehicle.position_m[2], height_m);
+  }
+  for (i = 0; i < npsee_recording_shells(kept); ++i) {
+    need(npsee_recording_shell(kept, i, t_s, &shell));
+    need(npsee_recording_burst(kept, i, &preset, &seed));
+    if (shell.in_air) printf("shell %d %.17g %.17g %.17g\n", shell.number, shell.position_m[0], shell.position_m[1], shell.position_m[2]);
+    printf("burst %d %.17g %llu %s\n", shell.number, shell.burst_s, (unsigned long long)seed, preset);
+  }
+  npsee_recording_free(kept);
 }
 
 static int refused = 0;
@@ -305,17 +357,54 @@ static void mission_errors(void) {
   npsee_scenario_free(NULL);
 }
 
+static void recording_errors(const char* file) {
+  npsee_recording* kept = NULL;
+  npsee_vehicle vehicle;
+  npsee_shell shell;
+  char text[4];
+  size_t index = 0;
+  double zero = 0.0, height_m;
+  REFUSED(NPSEE_USAGE, npsee_recording_open(NULL, &kept));
+  REFUSED(NPSEE_USAGE, npsee_recording_open(file, NULL));
+  REFUSED(NPSEE_INPUT, npsee_recording_open("/nowhere/x.rec", &kept));
+  need(npsee_recording_open(file, &kept));
+  REFUSED(NPSEE_USAGE, npsee_recording_event(NULL, 0, NULL, 0, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_event(kept, 1000000, NULL, 0, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_event(kept, 0, text, sizeof text, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_event_kind(kept, 1000000, NULL, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_seek(kept, zero / zero, &index));
+  REFUSED(NPSEE_USAGE, npsee_recording_seek(kept, 0.0, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_vehicle(kept, 1000000, 0.0, &vehicle));
+  REFUSED(NPSEE_USAGE, npsee_recording_vehicle(kept, 0, 1.0 / zero, &vehicle));
+  REFUSED(NPSEE_USAGE, npsee_recording_vehicle(kept, 0, 0.0, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_shell(kept, 1000000, 0.0, &shell));
+  REFUSED(NPSEE_USAGE, npsee_recording_burst(kept, 1000000, NULL, NULL));
+  REFUSED(NPSEE_USAGE, npsee_recording_height(kept, 1.0 / zero, 0.0, &height_m));
+  REFUSED(NPSEE_USAGE, npsee_recording_unmet(NULL, NULL, 0, NULL));
+  /* Beyond both ends. */
+  need(npsee_recording_seek(kept, -1.0, &index));
+  if (index != 0) exit(1);
+  need(npsee_recording_seek(kept, 1.0 / zero, &index));
+  if (index != npsee_recording_events(kept) || npsee_recording_events(NULL) != 0 || npsee_recording_hash(NULL)[0] != '\0') exit(1);
+  need(npsee_recording_vehicle(kept, 0, 1e300, &vehicle));
+  npsee_recording_free(kept);
+  npsee_recording_free(NULL);
+}
+
 int main(int argc, char** argv) {
   if (npsee_abi() != NPSEE_ABI || npsee_last_error()[0] != '\0') return 1;
   if (argc >= 5 && strcmp(argv[1], "particles") == 0) particles(argv[2], atof(argv[3]), atoi(argv[4]), argc > 5 ? argv[5] : NULL);
   else if (argc == 4 && strcmp(argv[1], "fly") == 0) fly(argv[2], atof(argv[3]));
   else if (argc == 4 && strcmp(argv[1], "aim") == 0) aim(argv[2], atof(argv[3]));
   else if (argc == 3 && strcmp(argv[1], "mission") == 0) mission(argv[2]);
-  else if (argc == 2 && strcmp(argv[1], "errors") == 0) {
+  else if (argc == 4 && strcmp(argv[1], "record") == 0) record(argv[2], argv[3]);
+  else if (argc == 4 && strcmp(argv[1], "recording") == 0) recording(argv[2], atof(argv[3]));
+  else if (argc == 3 && strcmp(argv[1], "errors") == 0) {
     preset_errors();
     explosion_errors();
     flight_errors();
     mission_errors();
+    recording_errors(argv[2]);
     printf("refused %d\n", refused);
   } else return 2;
   return 0;

@@ -13,7 +13,7 @@
 /// and no crash. No C++ exception leaves a function, also none that a callback throws. Texts are UTF-8 and end with a zero.
 ///
 /// A handle is freed by its own `_free`, which takes null. Handles do not depend on each other: a preset may be freed when it is compiled.
-/// Explosions, ballistics and paths never change and may be used by many threads at once; a handle of another kind by one thread at a time.
+/// Explosions, ballistics, paths and recordings never change and may be used by many threads at once; a handle of another kind by one thread at a time.
 ///
 /// Functions are added with a minor version; a structure or a function changes only together with ::NPSEE_ABI.
 
@@ -379,7 +379,7 @@ NPSEE_API size_t npsee_mission_vehicles(const npsee_mission* mission);
 
 /// Where a vehicle is at a moment, and how.
 typedef struct npsee_vehicle {
-  const char* id;          ///< valid as long as the mission
+  const char* id;          ///< valid as long as the mission or recording
   const char* type;        ///< name of its type; likewise
   double position_m[3];    ///< on the ground
   double heading_rad;      ///< clockwise from north
@@ -415,6 +415,63 @@ NPSEE_API npsee_status npsee_mission_save(const npsee_mission* mission, const ch
 
 /// Frees a mission; null is allowed.
 NPSEE_API void npsee_mission_free(npsee_mission* mission);
+
+/// @}
+/// @name Recordings
+/// @{
+
+/// A mission as it was recorded: any moment can be looked up, in any order, without simulating. Immutable.
+typedef struct npsee_recording npsee_recording;
+
+/// Reads and checks what npsee_mission_save() or `npsee mission --record` wrote. Shells are flown again, to the same bits. Errors: input, with
+/// the line.
+NPSEE_API npsee_status npsee_recording_open(const char* path, npsee_recording** recording);
+
+/// How long the mission lasted, s; 0 for null. Thread-safe.
+NPSEE_API double npsee_recording_duration_s(const npsee_recording* recording);
+
+/// SHA-256 of the event log in hexadecimal digits, as the log's last line tells it; empty if the mission did not come to its end, or for null. Valid as
+/// long as the recording. Thread-safe.
+NPSEE_API const char* npsee_recording_hash(const npsee_recording* recording);
+
+/// Events in the log; 0 for null. Thread-safe.
+NPSEE_API size_t npsee_recording_events(const npsee_recording* recording);
+
+/// Event `index` from 0 as one line of JSON without the line end; buffer, capacity and length as in npsee_preset_text(). Errors: usage.
+/// Thread-safe.
+NPSEE_API npsee_status npsee_recording_event(const npsee_recording* recording, size_t index, char* buffer, size_t capacity, size_t* length);
+
+/// Time (s) and kind ("fire", "detonation", ...; static) of event `index` from 0; either pointer may be null. Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_event_kind(const npsee_recording* recording, size_t index, double* t_s, const char** kind);
+
+/// Index of the first event at a time or after it (s); the number of events if there is none. Errors: usage (a time that is NaN). Thread-safe.
+NPSEE_API npsee_status npsee_recording_seek(const npsee_recording* recording, double t_s, size_t* index);
+
+/// Vehicles of the mission; 0 for null. Thread-safe.
+NPSEE_API size_t npsee_recording_vehicles(const npsee_recording* recording);
+
+/// Vehicle `index` from 0 at a time (s, clamped to the mission); its texts are valid as long as the recording. Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_vehicle(const npsee_recording* recording, size_t index, double t_s, npsee_vehicle* vehicle);
+
+/// Shells fired; 0 for null. Thread-safe.
+NPSEE_API size_t npsee_recording_shells(const npsee_recording* recording);
+
+/// Shell `index` from 0, in the order of firing, at a time (s). Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_shell(const npsee_recording* recording, size_t index, double t_s, npsee_shell* shell);
+
+/// What shell `index` is drawn with when it bursts: the preset as the mission names it, valid as long as the recording and empty if it names none
+/// (the program then draws its own `howitzer_155`, or `impact_small` for direct fire), and the seed for npsee_compile_options. Either pointer may
+/// be null. Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_burst(const npsee_recording* recording, size_t index, const char** preset, uint64_t* seed);
+
+/// Height of the ground at a place, metres; beyond the border as at it. Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_height(const npsee_recording* recording, double x_m, double z_m, double* height_m);
+
+/// The clauses of the mission's `expect` that are not met; as npsee_mission_unmet(). Errors: usage. Thread-safe.
+NPSEE_API npsee_status npsee_recording_unmet(const npsee_recording* recording, char* buffer, size_t capacity, size_t* length);
+
+/// Frees a recording; null is allowed.
+NPSEE_API void npsee_recording_free(npsee_recording* recording);
 
 /// @}
 
