@@ -84,6 +84,7 @@ class RendererPictures final : public Pictures {
   render::Background behind;  ///< the explosion
   double scale = 1.0;  ///< of the panels
   std::string fault;
+  std::optional<Error> failed;  ///< what the driver could not draw
 
  private:
   /// The scene of the mission shown; it notices by itself when the recording grows or the ground is another.
@@ -96,7 +97,10 @@ class RendererPictures final : public Pictures {
   }
 
   ImTextureID id(const Expected<unsigned>& texture) {
-    if (!texture) fault = texture.error().text();
+    if (!texture) {
+      fault = texture.error().text();
+      if (texture.error().kind == ErrorKind::graphics) failed = texture.error();
+    }
     return texture ? reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(*texture)) : nullptr;
   }
 
@@ -200,6 +204,8 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
 }
 
 void Editor::draw() const { impl_->panels.draw(*ImGui::GetDrawData()); }
+
+std::optional<Error> Editor::takeGraphicsFault() { return std::exchange(impl_->pictures.failed, {}); }
 
 Session& Editor::session() { return impl_->session; }
 const Session& Editor::session() const { return impl_->session; }

@@ -29,6 +29,8 @@ class Editor {
 
   /// Draws the finished frame into the bound framebuffer.
   void draw() const;
+  /// Why the driver could not draw what the last frame with pictures should show, once. The message is on the screen from the next frame on.
+  std::optional<Error> takeGraphicsFault();
 
   Session& session();
   const Session& session() const;

@@ -65,7 +65,10 @@ Expected<void> step(Editor& editor, const Surface& surface, const std::filesyste
   editor.frame(Playback::kFrame_s, std::nullopt, !file.empty());
   ImGui::Render();
   if (file.empty()) return {};
-  return render::writePng(surface.picture(editor), file);
+  const render::Image picture = surface.picture(editor);
+  if (auto fault = editor.takeGraphicsFault()) return tl::unexpected<Error>(std::move(*fault));
+  if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver failed while drawing: ") + error + ".", "Unset GALLIUM_DRIVER and MESA_* variables.");
+  return render::writePng(picture, file);
 }
 
 Expected<std::vector<ScriptCommand>> readScript(const std::filesystem::path& file) {

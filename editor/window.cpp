@@ -1,3 +1,4 @@
+#include "app/gl/objects.h"
 #include "editor/editor.h"
 #include "editor/window_input.h"
 
@@ -29,7 +30,16 @@ float drawFrame(Editor& editor, WindowInput& input, GLFWwindow* window, std::opt
   return ms;
 }
 
-void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
+/// What the driver says of the frame. A window whose context is lost can only be opened anew; all else is told, and work goes on.
+Expected<void> checkDriver(Editor& editor) {
+  const char* error = gl::pendingError();
+  if (error == nullptr) return {};
+  if (gl::isLoss(error)) return fail(ErrorKind::graphics, "the graphics driver has lost the window's pictures.", "Start npsee again: what was not saved is offered then.");
+  editor.session().notices.error = std::string("The driver failed while drawing: ") + error + ". LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
+  return {};
+}
+
+Expected<void> runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
   std::string title;
   std::optional<float> ms;
   // The cross in the title bar speaks after what was typed and clicked before it: that waits in queues, and acts in the frame after.
@@ -45,9 +55,11 @@ void runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
     if (until_closed >= 0 && !input.waiting() && until_closed-- == 0) editor.session().quit();
     if (const auto dropped = input.takeDropped(); !dropped.empty()) editor.session().drop(dropped);
     const float measured = drawFrame(editor, input, window, ms);
+    if (auto fine = checkDriver(editor); !fine) return fine;
     ms = ms ? *ms + 0.1f * (measured - *ms) : measured;
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
   }
+  return {};
 }
 
 }  // namespace
@@ -71,7 +83,7 @@ Expected<void> runWindow(const WindowedOptions& options, const std::function<voi
   chosen.scale = fittingScale(chosen.scale * std::clamp(across, 1.0f, 4.0f), shown_width, shown_height);
   auto editor = Editor::create(chosen, std::move(desk));
   if (!editor) return tl::unexpected<Error>(editor.error());
-  runLoop(**editor, input, window);
+  if (auto ran = runLoop(**editor, input, window); !ran) return ran;
   glfwGetWindowSize(window, &shown_width, &shown_height);
   (*editor)->desk().settings.window_width = shown_width;
   (*editor)->desk().settings.window_height = shown_height;

@@ -1,5 +1,7 @@
 #include "app/gl/objects.h"
 
+#include <cstring>
+
 namespace npsee::gl {
 
 #define NPSEE_GL_KIND(Kind, Gen, Delete)      \
@@ -20,6 +22,10 @@ NPSEE_GL_KIND(FramebufferKind, glGenFramebuffers, glDeleteFramebuffers)
 
 namespace {
 
+// Of OpenGL 4.5 and KHR_robustness; a driver may answer so whatever version was asked for.
+constexpr GLenum kContextLost = 0x0507;
+constexpr const char* kContextLostName = "GL_CONTEXT_LOST";
+
 const char* errorName(GLenum error) {
   switch (error) {
     case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
@@ -27,6 +33,7 @@ const char* errorName(GLenum error) {
     case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
     case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
+    case kContextLost: return kContextLostName;
     default: return "an unknown GL error";
   }
 }
@@ -41,5 +48,7 @@ const char* pendingError() {
   }
   return errorName(first);
 }
+
+bool isLoss(const char* error) { return error != nullptr && std::strcmp(error, kContextLostName) == 0; }
 
 }  // namespace npsee::gl

@@ -66,4 +66,7 @@ using Framebuffer = Object<FramebufferKind>;
 /// Name of the oldest pending GL error ("GL_INVALID_ENUM"), clearing all of them; null if there is none.
 const char* pendingError();
 
+/// Whether that is the end of the context: nothing more will be drawn in it.
+bool isLoss(const char* error);
+
 }  // namespace npsee::gl

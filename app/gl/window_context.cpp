@@ -51,6 +51,8 @@ Expected<std::unique_ptr<WindowContext>> makeWindowContext(const WindowOptions& 
   // Scenes have their own depth and samples; the window only shows textures and panels.
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  // After a reset of the graphics card the driver says so, where it can, instead of ending the process.
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
   if (window == nullptr) {

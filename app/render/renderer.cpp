@@ -342,7 +342,7 @@ Expected<void> Renderer::drawToImage(const Scene& scene, const Camera& camera, i
   if (auto drawn = impl_->draw(scene, makeView(camera, width, height), **sized); !drawn) return drawn;
   readBack((*sized)->target, image);
   impl_->passed("read");
-  return {};
+  return drawnWithoutError();
 }
 
 Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, int width, int height) {
@@ -363,6 +363,7 @@ Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int
   if (auto drawn = impl_->draw(scene, **sized); !drawn) return tl::unexpected<Error>(drawn.error());
   Image image;
   readBack((*sized)->target, image);
+  if (auto read = drawnWithoutError(); !read) return tl::unexpected<Error>(read.error());
   return image;
 }
 
@@ -378,7 +379,7 @@ Expected<void> Renderer::drawToImage(MissionScene& scene, const Recording& recor
   if (!sized) return tl::unexpected<Error>(sized.error());
   if (auto drawn = impl_->draw(scene, recording, time_s, view, **sized); !drawn) return drawn;
   readBack((*sized)->target, image);
-  return {};
+  return drawnWithoutError();
 }
 
 }  // namespace npsee::render
