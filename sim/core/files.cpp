@@ -45,6 +45,46 @@ fs::path linkTarget(fs::path path) {
   return path;
 }
 
+fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// Temporary files are private; a new file gets what the umask leaves, a replaced one keeps its mode.
+mode_t modeFor(const fs::path& target) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) == 0) return old.st_mode & 07777;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+/// A name that survives a crash of the machine needs its folder on the disk too.
+void syncFolder(const fs::path& folder) {
+  const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (parent.valid()) ::fsync(parent.get());
+}
+
+/// Gives a file without a name a temporary one in the folder of `target`; empty if that is not possible.
+std::string nameBeside(const Descriptor& file, const fs::path& target) {
+  const std::string from = "/proc/self/fd/" + std::to_string(file.get());
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    std::string name = (folderOf(target) / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(attempt))).string();
+    if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
+    if (errno != EEXIST) break;
+  }
+  return {};
+}
+
+/// Replaces by a file that has no name until it is whole, so that a process killed on the way leaves nothing behind. False where the file system has no
+/// such files, or has no room: the caller then tries a file with a name, and tells what that says.
+bool replacedByUnnamed(const fs::path& target, std::span<const std::byte> bytes) {
+  Descriptor file(::open(folderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+  if (!file.valid() || !writeAll(file.get(), bytes) || ::fchmod(file.get(), modeFor(target)) != 0 || ::fsync(file.get()) != 0) return false;
+  const std::string name = nameBeside(file, target);
+  if (name.empty() || !file.close()) return false;
+  if (::rename(name.c_str(), target.c_str()) == 0) return true;
+  ::unlink(name.c_str());
+  return false;
+}
+
 }  // namespace
 
 tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why, std::string remedy) {
@@ -90,8 +130,7 @@ Expected<TemporaryFile> TemporaryFile::beside(const fs::path& wanted) {
   TemporaryFile out;
   out.wanted_ = wanted;
   out.target_ = linkTarget(wanted);
-  const fs::path folder = out.target_.has_parent_path() ? out.target_.parent_path() : fs::path(".");
-  std::string name = (folder / ("." + out.target_.filename().string() + ".XXXXXX")).string();
+  std::string name = (folderOf(out.target_) / ("." + out.target_.filename().string() + ".XXXXXX")).string();
   const Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
   if (!file.valid()) return cannotWrite(wanted, errno == ENOENT ? "the folder does not exist" : reason());
   out.path_ = name;
@@ -105,22 +144,10 @@ TemporaryFile::~TemporaryFile() {
 }
 
 Expected<void> TemporaryFile::publish() {
-  struct stat old {};
-  // Temporary files are private; a new file gets what the umask leaves, a replaced one keeps its mode.
-  mode_t mode = 0666;
-  if (::stat(target_.c_str(), &old) == 0) {
-    mode = old.st_mode & 07777;
-  } else {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    mode &= ~mask;
-  }
   Descriptor file(::open(path_.c_str(), O_RDWR | O_CLOEXEC));
-  if (!file.valid() || ::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0 || !file.close() || ::rename(path_.c_str(), target_.c_str()) != 0) return cannotWrite(wanted_, reason());
+  if (!file.valid() || ::fchmod(file.get(), modeFor(target_)) != 0 || ::fsync(file.get()) != 0 || !file.close() || ::rename(path_.c_str(), target_.c_str()) != 0) return cannotWrite(wanted_, reason());
   path_.clear();
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent.valid()) ::fsync(parent.get());
+  syncFolder(folderOf(target_));
   return {};
 }
 
@@ -128,6 +155,12 @@ Expected<void> writeFileAtomically(const fs::path& wanted, std::span<const std::
   if (isSpecialFile(wanted)) {
     const Descriptor direct(::open(wanted.c_str(), O_WRONLY | O_CLOEXEC));
     if (!direct.valid() || !writeAll(direct.get(), bytes)) return cannotWrite(wanted, reason());
+    return {};
+  }
+  std::error_code ignored;
+  const fs::path target = linkTarget(wanted);
+  if (!fs::is_directory(target, ignored) && replacedByUnnamed(target, bytes)) {
+    syncFolder(folderOf(target));
     return {};
   }
   auto temporary = TemporaryFile::beside(wanted);
