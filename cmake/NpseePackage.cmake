@@ -2,7 +2,7 @@
 # icons, file types; and packages of it all (`cpack --config CPackConfig.cmake` in the build folder makes a .deb, CPackSourceConfig.cmake a
 # source archive). The program finds its files relative to itself, so that the tree can be unpacked anywhere.
 set(npsee_data "${CMAKE_INSTALL_DATADIR}/npsee")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/presets" DESTINATION "${npsee_data}" COMPONENT program FILES_MATCHING PATTERN "*.npsee.json")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/presets" DESTINATION "${npsee_data}" COMPONENT program FILES_MATCHING PATTERN "*.npsee.json" PATTERN thumbnails EXCLUDE)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/assets" DESTINATION "${npsee_data}" COMPONENT program PATTERN desktop EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/assets/desktop/npsee.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/assets/desktop/npsee.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" COMPONENT program)

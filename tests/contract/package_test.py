@@ -117,6 +117,59 @@ class DebianPackage(unittest.TestCase):
         self.assertEqual(len(rows), 100)
 
 
+class Uninstall(unittest.TestCase):
+    """`cmake --build BUILD --target uninstall` runs this script over the places that installing has noted; here over one, for others may be real."""
+
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+
+    def uninstall(self, place):
+        return run(CMAKE, f"-DINSTALLED={BUILD / 'installed'}", f"-DPLACE={place}", "-P", SOURCE / "cmake/uninstall/uninstall.cmake")
+
+    def everything(self, place):
+        return sorted(str(path.relative_to(place)) for path in place.rglob("*"))
+
+    def test_the_target_runs_the_script(self):
+        commands = run("ninja", "-C", BUILD, "-t", "commands", "uninstall")
+        self.assertIn(str(SOURCE / "cmake/uninstall/uninstall.cmake"), commands)
+        self.assertIn(str(BUILD / "installed"), commands)
+
+    def test_a_place_of_its_own_is_gone(self):
+        place = self.folder / "opt/npsee"
+        run(CMAKE, "--install", BUILD, "--prefix", place)
+        self.assertTrue((place / "bin/npsee").exists())
+        self.assertGreater(len(self.everything(place)), 100)
+        # Once more over it, in parts: what was made by the first time is still ours.
+        for component in ("library", "development"):
+            run(CMAKE, "--install", BUILD, "--prefix", place, "--component", component)
+        self.uninstall(place)
+        self.assertEqual(self.everything(self.folder), ["opt"])
+
+    def test_what_others_have_there_stays(self):
+        place = self.folder / "shared place"
+        others = ("bin/other", "share/npsee/presets/mine.npsee.json", "include/other.h", "share/man/man1/other.1")
+        for name in others:
+            (place / name).parent.mkdir(parents=True, exist_ok=True)
+            (place / name).write_text("of others")
+        for name in ("lib", "share/applications", "share/icons/hicolor/48x48/apps"):
+            (place / name).mkdir(parents=True, exist_ok=True)
+        before = self.everything(place)
+        run(CMAKE, "--install", BUILD, "--prefix", place)
+        (place / "bin/npsee").unlink()
+        told = self.uninstall(place)
+        self.assertIn("is gone already", told)
+        self.assertEqual(self.everything(place), before)
+        self.assertTrue(all((place / name).read_text() == "of others" for name in others))
+
+    def test_packing_is_no_installing(self):
+        noted = set((BUILD / "installed").glob("*"))
+        with tempfile.TemporaryDirectory() as kept:
+            run(pathlib.Path(CMAKE).with_name("cpack"), "--config", BUILD / "CPackConfig.cmake", "-B", kept, "-G", "TGZ", cwd=kept)
+        self.assertLessEqual(set((BUILD / "installed").glob("*")), noted)
+
+
 class SourceArchive(unittest.TestCase):
     def test_it_is_whole_and_can_be_configured_without_network(self):
         with tempfile.TemporaryDirectory() as kept:

@@ -1,0 +1,26 @@
+# Runs before anything is installed: notes which of the upper folders are there already, once for each place.
+set(npsee_place "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
+# cpack installs too, into a folder that it takes away itself.
+string(FIND "${npsee_place}" "/_CPack_Packages/" npsee_packing)
+if(npsee_packing EQUAL -1)
+  # What was taken away by other means needs no note.
+  file(GLOB npsee_found LIST_DIRECTORIES true "${npsee_installed}/*")
+  foreach(npsee_each IN LISTS npsee_found)
+    file(READ "${npsee_each}/place" npsee_other)
+    if(NOT EXISTS "${npsee_other}")
+      file(REMOVE_RECURSE "${npsee_each}")
+    endif()
+  endforeach()
+  string(SHA1 npsee_record "${npsee_place}")
+  set(npsee_record "${npsee_installed}/${npsee_record}")
+  if(NOT EXISTS "${npsee_record}/place")
+    # Whoever has a prefix of his own wants it away again, but nobody wants /usr/local/share to go with npsee.
+    file(GLOB npsee_found LIST_DIRECTORIES true "${npsee_place}/*" "${npsee_place}/*/*" "${npsee_place}/share/*/*" "${npsee_place}/share/icons/*/*" "${npsee_place}/share/icons/*/*/*")
+    foreach(npsee_each IN LISTS npsee_found ITEMS "${npsee_place}")
+      if(IS_DIRECTORY "${npsee_each}")
+        file(APPEND "${npsee_record}/folders" "${npsee_each}\n")
+      endif()
+    endforeach()
+    file(WRITE "${npsee_record}/place" "${npsee_place}")
+  endif()
+endif()
