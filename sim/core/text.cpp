@@ -35,6 +35,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
     // "speed" should find "speed_mean" although five letters are missing.
     if (candidate.size() > word.size() && word.size() >= 3 && candidate.find(word) != std::string_view::npos)
       distance = std::min<std::size_t>(distance, 2);
+    // ... and so should "spede".
+    if (candidate.size() > word.size() && word.size() >= 4) distance = std::min(distance, editDistance(word, candidate.substr(0, word.size())) + 1);
     if (distance < least) {
       least = distance;
       best = candidate;

@@ -93,9 +93,12 @@ class ObjReader {
  private:
   void point(const std::vector<std::string_view>& words, Solid& surface) {
     Vec3 p;
-    if (words.size() < 4 || !number(words[1], p.x) || !number(words[2], p.y) || !number(words[3], p.z))
-      return lines_.wrong("a point needs three finite numbers.", "Write it as: v 1.0 0.5 -2.0");
-    if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > kMaxCoordinate) return lines_.wrong("a point lies further out than " + std::to_string(static_cast<int>(kMaxCoordinate)) + ".", "Coordinates are metres, or become metres by pieces.scale.");
+    if (words.size() < 4 || !number(words[1], p.x) || !number(words[2], p.y) || !number(words[3], p.z)) {
+      lines_.wrong("a point needs three finite numbers.", "Write it as: v 1.0 0.5 -2.0");
+      // It counts as a point all the same: faces that use later ones are not wrong for it.
+      p = {};
+    }
+    if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > kMaxCoordinate) lines_.wrong("a point lies further out than " + std::to_string(static_cast<int>(kMaxCoordinate)) + ".", "Coordinates are metres, or become metres by pieces.scale.");
     if (surface.points.size() >= kMaxPoints) return tooMuch("points", kMaxPoints);
     surface.points.push_back(p);
   }
