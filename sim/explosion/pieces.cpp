@@ -108,6 +108,24 @@ Quaternion mixed(const Quaternion& a, const Quaternion& b, double share) {
   return unit({rest * a.x + s * b.x, rest * a.y + s * b.y, rest * a.z + s * b.z, rest * a.w + s * b.w});
 }
 
+/// What air leaves of a piece's speed by its area over its mass: the quadratic law of a tumbling body over its first moments, which stops a pane
+/// of glass and hardly slows an engine. What follows is the layer's own drag, the same for all.
+///
+///   v' = v / (1 + v t / L),   L = 2 m / (rho C S / 4)
+///
+/// v speed from the burst [m/s], t = 0.3 s, m mass [kg], S surface [m^2], rho = 1.225 kg/m^3, C = 1.1 [-]. S / 4 is the mean area that a convex body
+/// shows in all directions (Cauchy 1841). Valid for pieces that turn over many times; docs/physics.md.
+double speedLeft(const Piece& piece, double speed_mps) {
+  constexpr double kTime_s = 0.3, kDensity_kgpm3 = 1.225, kCoefficient = 1.1;
+  double twice_surface = 0.0;
+  for (const Facet& facet : piece.solid.facets) {
+    const Vec3 a = piece.solid.points[facet.corners[0]];
+    twice_surface += length(cross(piece.solid.points[facet.corners[1]] - a, piece.solid.points[facet.corners[2]] - a));
+  }
+  if (!(piece.mass.mass_kg > 0.0)) return speed_mps;
+  return speed_mps / (1.0 + speed_mps * kTime_s * (kDensity_kgpm3 * kCoefficient * 0.125 * twice_surface) / (2.0 * piece.mass.mass_kg));
+}
+
 /// In the order in which the burst reaches them: particles of a layer that takes its time start one after the other.
 Expected<std::shared_ptr<const Fragments>> nearestFirst(Expected<std::shared_ptr<const Fragments>> cut, const Vec3& burst) {
   if (!cut) return cut;
@@ -142,7 +160,9 @@ double leastReach(const Piece& piece) {
 void launchPiece(const Layer& layer, const Piece& piece, Launch& out) {
   const Fling fling = flingOf(piece, {layer.pieces_impulse_Pas, layer.pieces_reach_m, layer.pieces_burst_m});
   out.place = piece.mass.centre_m + layer.region_offset_m;
-  out.velocity = fling.velocity_mps;
+  const double speed = length(fling.velocity_mps);
+  // Without drag there is no air.
+  out.velocity = layer.drag_ps > 0.0 && speed > 0.0 ? (speedLeft(piece, speed) / speed) * fling.velocity_mps : fling.velocity_mps;
   out.size_m = 2.0 * piece.radius_m;
   const double rate = length(fling.spin_radps);
   out.axis = rate > 0.0 ? (1.0 / rate) * fling.spin_radps : Vec3{0.0, 1.0, 0.0};

@@ -1,5 +1,6 @@
 // Models that are cut to pieces, and how a burst flings them.
 
+#include "tests/support/explosions.h"
 #include "tests/support/models.h"
 
 #include <npsee/fragments.h>
@@ -219,6 +220,43 @@ TEST(Fragments, APlateStruckNearItsEndTurnsThatEndAwayFromTheBurst) {
   const Fling fling = flingOf(pieces->pieces[0], {5000.0, 1.0, {1.5, 0.5, 2.0}});
   EXPECT_LT(fling.velocity_mps.z, 0.0);
   EXPECT_GT(fling.spin_radps.y, 0.0) << "about +y: +x goes to -z";
+}
+
+TEST(Fragments, AirSlowsAThinPaneAtOnceAndHardlyABlock) {
+  const auto speed = [](const SolidModel& model, double drag_ps) {
+    Preset preset;
+    Layer& layer = preset.layers.emplace_back();
+    layer.form = Form::pieces;
+    layer.count = 1;
+    layer.drag_ps = drag_ps;
+    layer.region_offset_m = {0.0, 20.0, 0.0};
+    layer.pieces_density_kgpm3 = 2500.0;
+    layer.pieces_impulse_Pas = 5000.0;
+    layer.pieces_burst_m = {0.0, 0.0, 3.0};
+    layer.pieces_reach_m = 3.0;
+    CompileOptions options;
+    options.model = std::make_shared<const SolidModel>(model);
+    const auto explosion = test::compiled(preset, nullptr, options);
+    if (!explosion) return 0.0;
+    const ExactFrame frame = test::exactAt(*explosion, 0.0);
+    return length({frame.vx[0], frame.vy[0], frame.vz[0]});
+  };
+  // Surface and mass of a pane of 4 mm and of a cube of 1 m: an eighth of the surface times rho C over the mass is 1 / L.
+  const struct {
+    Vec3 half;
+    double surface_m2, mass_kg;
+  } boxes[] = {{{0.5, 0.5, 0.002}, 2.016, 10.0}, {{0.5, 0.5, 0.5}, 6.0, 2500.0}};
+  double kept[2] = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [half, surface, mass] = boxes[i];
+    const SolidModel model = modelOf(boxObj(-1.0 * half, half));
+    const double vacuum = speed(model, 0.0), air = speed(model, 1e-6);
+    ASSERT_GT(vacuum, 0.0);
+    EXPECT_NEAR(air, vacuum / (1.0 + vacuum * 0.3 * 1.225 * 1.1 * surface / 8.0 / mass), 1e-3 * vacuum);
+    kept[i] = air / vacuum;
+  }
+  EXPECT_LT(kept[0], 0.5);
+  EXPECT_GT(kept[1], 0.99);
 }
 
 TEST(Fragments, ABurstInTheMiddleOfAPieceThrowsItUpAndNothingIsNotANumber) {
