@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -34,6 +35,12 @@ struct Finished {
   Picture picture;
 };
 
+/// Closes a queue at the end of its scope.
+struct Closing {
+  BoundedQueue<Frame>& queue;
+  ~Closing() { queue.close(); }
+};
+
 /// Encodes and writes pictures on several threads. The destructor waits for all of them.
 class Writers {
  public:
@@ -58,12 +65,27 @@ class Writers {
   }
   std::size_t done() const { return done_; }
 
+  /// After finish(): throws what a thread threw.
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
   /// After finish(): the error of the earliest picture that has one.
   const std::optional<Error>& error() const { return error_; }
   const std::vector<char>& written() const { return written_; }
 
  private:
   void work() {
+    try {
+      saveAll();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      failed_ = true;
+      if (!thrown_) thrown_ = std::current_exception();
+      queue_.close();
+    }
+  }
+  void saveAll() {
     render::PngEncoder encoder;
     while (auto finished = queue_.pop()) {
       if (failed_) continue;
@@ -93,29 +115,41 @@ class Writers {
   std::mutex mutex_;
   std::optional<Error> error_;
   std::size_t error_index_ = 0;
+  std::exception_ptr thrown_;
   std::vector<std::jthread> threads_;
 };
 
 }  // namespace
 
+tl::unexpected<Error> stoppedEarly() { return fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there."); }
+
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
                             const std::function<Expected<void>(const Shot&, Picture&)>& take) {
   BoundedQueue<Frame> ahead(kFramesAhead), spare(kFramesAhead + 2);
+  std::exception_ptr thrown;  // by the simulation; read when its thread has ended
   std::jthread simulation([&] {
-    for (const Shot& shot : shots) {
-      Frame frame = spare.tryPop().value_or(Frame{});
-      job.explosion->at(shot.time_s, frame, render::kSceneFields, job.threads);
-      if (!ahead.push(std::move(frame))) return;
+    try {
+      for (const Shot& shot : shots) {
+        Frame frame = spare.tryPop().value_or(Frame{});
+        job.explosion->at(shot.time_s, frame, render::kSceneFields, job.threads);
+        if (!ahead.push(std::move(frame))) return;
+      }
+    } catch (...) {
+      thrown = std::current_exception();
+      ahead.close();
     }
   });
+  // Lets a simulation that is still ahead go home, on every way out: its thread is waited for.
+  const Closing closing{ahead};
   Expected<void> result;
   Picture picture;
   for (const Shot& shot : shots) {
     if (job.stopped && job.stopped()) {
-      result = fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there.");
+      result = stoppedEarly();
       break;
     }
     std::optional<Frame> frame = ahead.pop();
+    if (!frame) break;
     render::Scene scene = job.scene;
     scene.frame = &*frame;
     result = job.floats ? renderer.drawToFloats(scene, job.camera, job.width, job.height, *job.floats, picture.floats) : renderer.drawToImage(scene, job.camera, job.width, job.height, picture.image);
@@ -123,8 +157,9 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
     if (!result) break;
     spare.push(std::move(*frame));
   }
-  // Lets a simulation that is still ahead go home.
   ahead.close();
+  simulation.join();
+  if (thrown) std::rethrow_exception(thrown);
   return result;
 }
 
@@ -141,6 +176,7 @@ Expected<void> savePictures(render::Renderer& renderer, const PictureJob& job, c
   writers.finish();
   progress(writers.done());
   saved = writers.written();
+  writers.rethrow();
   if (writers.error()) return tl::unexpected<Error>(*writers.error());
   return drawn;
 }

@@ -25,6 +25,9 @@ struct PictureJob {
   std::function<bool()> stopped;  ///< asked before each picture; may be empty
 };
 
+/// The error of a run that was asked to stop.
+tl::unexpected<Error> stoppedEarly();
+
 /// Simulates ahead on a thread of its own and draws on this one, in order; `take` gets each picture and may keep it (one
 /// left in place is used again). Stops at the first error.
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
