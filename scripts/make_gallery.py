@@ -68,7 +68,7 @@ def draw(npsee: str, name: str, how: list[str]) -> bool:
     command = [npsee, "render", str(ROOT / "presets" / f"{name}.npsee.json"), "-o", str(THUMBNAILS / f"{name}.png"), "--size", SIZE]
     command += ["--time", MOMENTS.get(name, "25%"), "--camera", CAMERAS.get(name, "auto"), "--progress", "never"]
     done = subprocess.run(command + how, stdout=subprocess.DEVNULL)
-    if done.returncode > 1 or (done.returncode == 1 and how != ["--verify"]):
+    if done.returncode > 1 or (done.returncode == 1 and "--verify" not in how):
         sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
     return done.returncode == 0
 
@@ -89,7 +89,8 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     check = options == ["--check"]
-    how = ["--verify"] if check else ["--resume"] if not options else []
+    # Another build does not make a picture stale; a change of the renderer is answered by --all.
+    how = ["--verify", "--any-build"] if check else ["--resume", "--any-build"] if not options else []
     if not check:
         THUMBNAILS.mkdir(exist_ok=True)
     stale = [f"presets/thumbnails/{name}.png" for name in names() if not draw(programs[0], name, how)]

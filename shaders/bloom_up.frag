@@ -9,5 +9,5 @@ void main() {
   vec2 at = 0.5 * gl_FragCoord.xy;
   vec4 sum = texture(u_from, (at + vec2(-0.5, -0.5)) / u_size) + texture(u_from, (at + vec2(0.5, -0.5)) / u_size);
   sum += texture(u_from, (at + vec2(-0.5, 0.5)) / u_size) + texture(u_from, (at + vec2(0.5, 0.5)) / u_size);
-  o_colour = (0.25 * u_scale) * sum;
+  o_colour = vec4((0.25 * u_scale) * sum.rgb, 0.0);
 }

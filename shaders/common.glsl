@@ -1,7 +1,10 @@
 // Shared by all shaders: world is x east, y up, z south, metres; colours are linear unless said otherwise.
 
-const vec3 kKeyDirection = vec3(-0.5263, 0.7105, 0.4671);  // towards the key light, unit length: afternoon sun in the south-west
-const vec3 kKeyLight = vec3(1.42, 1.32, 1.16);
+// Sun or moon by the hour of an explosion (app/render/hour_light.cpp); missions keep the afternoon's.
+uniform vec3 u_towards_key = vec3(-0.5263, 0.7105, 0.4671);  // unit length: afternoon sun in the south-west
+uniform vec3 u_key_light = vec3(1.42, 1.32, 1.16);
+#define kKeyDirection u_towards_key
+#define kKeyLight u_key_light
 const vec3 kSkyAmbient = vec3(0.30, 0.35, 0.42);
 const vec3 kGroundAmbient = vec3(0.21, 0.19, 0.165);
 const vec3 kHorizon = vec3(0.450, 0.510, 0.560);
@@ -25,11 +28,3 @@ uniform vec3 u_haze_colour = vec3(0.0);
 vec3 dimmed(vec3 light) { return light * (u_daylight * (1.0 - u_dimmed)); }
 // Without haze exactly 1, which a driver's exp(0) need not be.
 float clearTo(float distance_m) { return u_haze_extinction > 0.0 ? exp(-u_haze_extinction * distance_m) : 1.0; }
-
-// Sky seen in a direction (not normalised).
-vec3 skyColour(vec3 direction) {
-  float up = clamp(direction.y * inversesqrt(dot(direction, direction)), 0.0, 1.0);
-  float haze = 1.0 - up;
-  haze *= haze;
-  return mix(kZenith, kHorizon, haze * haze);
-}

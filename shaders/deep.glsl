@@ -1,6 +1,7 @@
 // Finishes a picture in single precision: as on the screen, or as linear light.
 #include "finish.glsl"
 uniform float u_effect;  // 1: the scene's texture holds the effect here, 0: there is none
+uniform int u_low;       // rows of the picture below those that are finished
 uniform int u_linear;    // 1: scene light, premultiplied; 0: coded as on the screen
 
 // Takes back rolledOff: the backdrop is kept as it is displayed.

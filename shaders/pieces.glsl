@@ -4,13 +4,14 @@ layout(location = 1) in vec3 a_normal;    // piece
 layout(location = 2) in vec4 a_colour;    // sRGB-coded; w: 0 its own, 1 the layer's, 2 an inner face that was torn
 layout(location = 3) in float a_piece;
 
-uniform samplerBuffer u_states;  // four texels each: place in world m and scale; colour and opacity; body to world; velocity in world m/s
+uniform samplerBuffer u_states;  // four texels each: place in world m and scale; colour and opacity; body to world; velocity in world m/s and temperature, K
 uniform int u_state;             // of the only piece drawn; -1: each its own
 
 struct Placed {
   vec3 place, normal, centre, velocity;  // world
   vec4 colour;                           // the layer's, sRGB-coded, and opacity
   float scale;                           // 0 = not there
+  float temperature;                     // K
 };
 
 Placed placedCorner() {
@@ -21,7 +22,9 @@ Placed placedCorner() {
   out_corner.centre = at.xyz;
   out_corner.scale = at.w;
   out_corner.colour = texelFetch(u_states, state + 1);
-  out_corner.velocity = texelFetch(u_states, state + 3).xyz;
+  vec4 moving = texelFetch(u_states, state + 3);
+  out_corner.velocity = moving.xyz;
+  out_corner.temperature = moving.w;
   out_corner.normal = rotated(q, a_normal);
   out_corner.place = at.xyz + at.w * rotated(q, a_position);
   return out_corner;

@@ -3,6 +3,7 @@
 #include "turn.glsl"
 #include "clip.glsl"
 #include "glow.glsl"
+#include "heat.glsl"
 #include "pieces.glsl"
 
 uniform mat4 u_view_projection;  // world to clip
@@ -23,7 +24,7 @@ void main() {
   vec3 own = linearFromSrgb(a_colour.rgb), layers = linearFromSrgb(corner.colour.rgb);
   vec3 albedo = a_colour.w < 0.5 ? own : layers;
   if (a_colour.w > 1.5) albedo = kTorn * mix(vec3(dot(layers, vec3(0.3, 0.6, 0.1))), layers, 0.5);
-  vec3 light = dimmed(litDiffuse(albedo, corner.normal)) + albedo * glowLight(corner.centre, corner.normal);
+  vec3 light = dimmed(litDiffuse(albedo, corner.normal)) + albedo * glowLight(corner.centre, corner.normal) + emittedLight(corner.temperature);
   light = mix(u_haze_colour, light, clearTo(distance(corner.centre, u_eye)));
   v_flat = vec4(light * a, a);
   v_smooth = v_flat;

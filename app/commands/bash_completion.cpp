@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 namespace npsee::commands {
@@ -55,9 +57,15 @@ std::string choicesOf(const CLI::Option& option) {
   return type;
 }
 
+/// Whether an option's value is a file or folder, by its type.
+bool takesFile(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return std::ranges::any_of(std::array{"FILE", "OUT", "PNG", "FOLDER", "DIR"}, [&](const char* word) { return type.starts_with(word) || type.starts_with('[' + std::string(word)); });
+}
+
 /// A branch of `case` for one command: what it takes after an option, and which files it reads.
 std::string branch(const std::string& name, const CLI::App& command) {
-  std::vector<std::string> takers, files;
+  std::vector<std::string> takers, others, files;
   std::string values;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional()) {
@@ -68,8 +76,10 @@ std::string branch(const std::string& name, const CLI::App& command) {
     const std::vector<std::string> each = namesOf(*option);
     if (const std::string choices = choicesOf(*option); !choices.empty())
       values += "        " + joined(each, "|") + ") COMPREPLY=($(compgen -W '" + choices + "' -- \"$current\")); return ;;\n";
-    else takers.insert(takers.end(), each.begin(), each.end());
+    else (takesFile(*option) ? takers : others).insert((takesFile(*option) ? takers : others).end(), each.begin(), each.end());
   }
+  // Numbers and the like: nothing to offer.
+  if (!others.empty()) values += "        " + joined(others, "|") + ") return ;;\n";
   if (!takers.empty()) values += "        " + joined(takers, "|") + ") IFS=$'\\n'; COMPREPLY=($(compgen -f -- \"$current\")); return ;;\n";
   std::string out = "    " + name + ")\n      options='" + optionsOf(command) + "'\n      patterns='" + joined(files, " ") + "'";
   return out + (values.empty() ? " ;;\n" : "\n      case $previous in\n" + values + "      esac ;;\n");

@@ -96,6 +96,7 @@ void addMissionPictureOptions(CLI::App& command, MissionPictureOptions& options)
   command.add_option("--render", options.renders, "Draw a picture: keys such as \"t=12.5,camera=observer\", see below; repeatable")->allow_extra_args(false)->type_name("VIEW");
   command.add_option("--frames", options.frames, "Draw a sequence of the view from A up to, but without, B seconds; frame k shows the time k / fps")->type_name("A:B");
   command.add_option("--fps", options.fps, "Frames per second of a sequence: 30 (default), 29.97, 30000/1001")->type_name("RATE");
+  command.add_option("--quality", options.quality, kQualityHelp)->type_name(choiceOf(render::kQualityNames));
 }
 
 Expected<MissionPicturePlan> planMissionPictures(const MissionPictureOptions& options) {
@@ -115,7 +116,11 @@ Expected<MissionPicturePlan> planMissionPictures(const MissionPictureOptions& op
     if (!read) return tl::unexpected<Error>(read.error());
     plan.sequence = std::move(*read);
   }
+  const auto quality = readQuality(options.quality);
+  if (!quality) return tl::unexpected<Error>(quality.error());
+  for (render::MissionRender& render : plan.renders) render.view.quality = *quality;
   if (plan.renders.empty()) {
+    if (!options.quality.empty()) return fail(ErrorKind::usage, "--quality " + options.quality + " is that of a picture, and none is asked for.", "Add --render, for example --render \"t=30,camera=observer\".");
     if (!options.output.empty()) return fail(ErrorKind::usage, "-o " + options.output + " names a picture, and none is asked for.", "Add --render, for example --render \"t=30,camera=observer\".");
     return plan;
   }

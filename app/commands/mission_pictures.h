@@ -16,10 +16,10 @@ class App;
 
 namespace npsee::commands {
 
-/// `--render`, `-o`, `--frames` and `--fps` of `npsee mission` and `npsee replay`, as typed.
+/// `--render`, `-o`, `--frames`, `--fps` and `--quality` of `npsee mission` and `npsee replay`, as typed.
 struct MissionPictureOptions {
   std::vector<std::string> renders;
-  std::string output, frames, fps;
+  std::string output, frames, fps, quality;
 };
 /// Without `-o`, which the command adds itself if it has other uses for it.
 void addMissionPictureOptions(CLI::App& command, MissionPictureOptions& options);

@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 #include "app/commands/golden.h"
 #include "app/commands/interrupt.h"
+#include "app/commands/render_bands.h"
 #include "app/commands/render_run.h"
 #include "app/commands/render_summary.h"
 #include "app/gl/machine.h"
@@ -73,6 +74,7 @@ Expected<void> RenderCall::checkOptions() const {
   if (o_.golden.empty() && o_.output.empty()) return clash("-o (--output) is missing: where do the pictures go?", "For example -o picture.png.");
   if (!o_.golden.empty() && (o_.resume || o_.dry_run || o_.verify)) return clash("--golden draws every picture anew.", "Leave out --resume, --dry-run and --verify.");
   if (!o_.golden.empty() && (plan_.format != FileFormat::png || plan_.floats || plan_.index)) return clash("goldens are PNG pictures of 8 bits.", "Leave out --golden, or --bits, --format and --index.");
+  if (o_.any_build && !o_.resume && !o_.verify) return clash("--any-build says which files count as finished.", "Add --resume or --verify.");
   if (o_.verify && (o_.resume || o_.dry_run)) return clash("--verify only looks at what is there.", "Leave out --resume and --dry-run.");
   if (!o_.summary.empty() && o_.summary != "text" && o_.summary != "json") return clash("--summary " + o_.summary + ": there is no such summary.", "Write text or json.");
   if (plan_.kind == RenderKind::video && !o_.dry_run && !o_.verify)
@@ -121,7 +123,7 @@ Expected<void> RenderCall::makeItems() {
     copies_ = std::move(items_);
     items_ = workOf(plan_, presets_, *names);
   }
-  if (o_.resume || o_.verify) skipFinished(items_, plan_.threads);
+  if (o_.resume || o_.verify) skipFinished(items_, o_.any_build, inBands(plan_) ? 1 : plan_.threads);
   if (o_.verify)
     for (WorkItem& item : items_)
       if (item.state == FileState::planned) item.state = FileState::missing;

@@ -1,6 +1,7 @@
 #include "app/commands/render_options.h"
 
 #include "app/commands/command.h"
+#include "app/render/quality.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,21 +11,21 @@ namespace {
 void addPictureOptions(CLI::App& command, RenderOptions& o) {
   const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type); };
   option("-o,--output", o.output, "File to write, by its ending a picture (.png, .exr) or a video (.mp4, .webm, .gif); for a sequence with %04d where the frame number goes (else _0000 is added); for several presets a folder", "OUT");
-  option("--format", o.format, "png, exr, mp4, webm or gif, where -o is a folder", "FORMAT");
-  option("--bits", o.bits, "Bits per component of a PNG: 8 (default) or 16", "N");
+  option("--format", o.format, "What is written where -o is a folder; png if left out", "{png,exr,mp4,webm,gif}");
+  option("--bits", o.bits, "Bits per component of a PNG, 8 if left out", "{8,16}");
   option("--pass", o.passes, "What an EXR holds, with commas: colour (default; linear, premultiplied), depth (m along the viewing direction), motion (pixels to the right and up until the next frame)", "PASS,...");
   option("--time", o.time, "Moment to draw, after the burst (0.5, 500ms) or as a share of the effect's duration; 25% if left out. Several with commas: numbered pictures", "T,...");
   option("--frames", o.frames, "Sequence from A up to, but without, B seconds; frame k shows the time k / fps and carries the number k. With --sheet: the time it divides evenly. A video shows the whole effect if it is left out", "A:B");
   option("--fps", o.fps, "Frames per second of a sequence or video, and what motion is measured over: 30 (default), 29.97, 30000/1001", "RATE");
   option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
-  option("--quality", o.quality, "draft (a third of the resolution, for a look: about four times faster where smoke is heavy), normal (default), or fine (16 pictures in one: smooth edges, pieces blurred by a shutter of 1/50 s)", "QUALITY");
+  option("--quality", o.quality, kQualityHelp, choiceOf(render::kQualityNames).c_str());
   option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
   option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");
   option("--sheet", o.sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions", "CxR");
   option("--caption", o.caption, "Text in the pictures of a sheet, \"t={time} s\" if left out; may hold {time}, {frame}, {seed}, {title}, {name}; or none", "TEXT");
   command.add_flag("--index", o.index, "Write NAME.json beside a sheet NAME.png: places, times and pivot of its pictures, as game engines read it");
   command.add_flag("--template", o.as_template, "Draw the template, the shape that shows the settings, instead of the explosion");
-  option("--view", o.view, "The template's view: surface (default), polygons, splines", "VIEW");
+  option("--view", o.view, "The template's view, surface if left out", "{surface,polygons,splines}");
   option("--layer", o.layer, "The layer whose template is drawn, the first enabled one if left out", "NAME");
   addChangeOptions(command, o.settings, o.seed);
 }
@@ -33,11 +34,12 @@ void addPipelineOptions(CLI::App& command, RenderOptions& o) {
   const auto option = [&](const char* name, std::string& into, const char* help, const char* type) { command.add_option(name, into, help)->type_name(type)->group("Pipeline"); };
   option("-j,--threads,--jobs", o.threads, "Threads for simulation and PNG; the pictures do not depend on it", "N");
   option("--shard", o.shard, "Only part I of N of the files, counted from 1, so that N calls anywhere share the work", "I/N");
-  command.add_flag("--resume", o.resume, "Skip files that are there, whole, and made from the same preset and options")->group("Pipeline");
+  command.add_flag("--resume", o.resume, "Skip files that are there, whole, and made from the same preset and options by this build of the program")->group("Pipeline");
+  command.add_flag("--any-build", o.any_build, "With --resume and --verify: files of any build of this version count, whose pixels may differ")->group("Pipeline");
   command.add_flag("--dry-run", o.dry_run, "Write nothing; print what would be written, with --resume only what is left")->group("Pipeline");
   command.add_flag("--verify", o.verify, "Write nothing; exit 1 and name the files that are missing, damaged or made from something else")->group("Pipeline");
-  option("--summary", o.summary, "What is printed: text (default: the files written) or json", "FORMAT");
-  option("--progress", o.progress, "Count and time left on stderr: auto (default: on a terminal), never, always (lines, for logs), steps (many lines, for programs)", "WHEN");
+  option("--summary", o.summary, "What is printed: text (default: the files written) or json", "{text,json}");
+  option("--progress", o.progress, "Count and time left on stderr: auto (default: on a terminal), never, always (lines, for logs), steps (many lines, for programs)", "{auto,never,always,steps}");
 }
 
 void addGoldenOptions(CLI::App& command, RenderOptions& o) {

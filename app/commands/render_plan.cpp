@@ -147,13 +147,6 @@ Expected<render::Background> readBackground(std::string_view text) {
   return render::Background{Kind::colour, std::get<Colour>(*colour)};
 }
 
-Expected<render::Quality> readQuality(std::string_view text) {
-  if (text.empty()) return render::Quality::normal;
-  const auto found = std::ranges::find(render::kQualityNames, text);
-  if (found == render::kQualityNames.end()) return refused("--quality", text, "there is no such quality.", "Write draft, normal or fine.");
-  return static_cast<render::Quality>(found - render::kQualityNames.begin());
-}
-
 Expected<int> readThreads(std::string_view text) {
   if (text.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
   const auto threads = wholeNumber(text);
@@ -255,6 +248,13 @@ Expected<RenderKind> readKind(const RenderOptions& options, FileFormat format) {
 }
 
 }  // namespace
+
+Expected<render::Quality> readQuality(std::string_view text) {
+  if (text.empty()) return render::Quality::normal;
+  const auto found = std::ranges::find(render::kQualityNames, text);
+  if (found == render::kQualityNames.end()) return refused("--quality", text, "there is no such quality.", "Write draft, normal or fine.");
+  return static_cast<render::Quality>(found - render::kQualityNames.begin());
+}
 
 Expected<RenderPlan> makePlan(const RenderOptions& options) {
   RenderPlan plan;

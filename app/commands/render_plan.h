@@ -75,6 +75,9 @@ inline constexpr std::int64_t kMaxShards = 100'000;
 /// Error kind usage for each option that cannot be meant.
 Expected<RenderPlan> makePlan(const RenderOptions& options);
 
+/// `--quality`, normal if it is empty. Error kind usage.
+Expected<render::Quality> readQuality(std::string_view text);
+
 /// Index of the layer whose template the plan wants, 0 if it wants none. Error kind usage names the nearest layer, kind input a
 /// preset without layers.
 Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset);

@@ -1,6 +1,7 @@
 #include "app/commands/render_run.h"
 
 #include "app/commands/interrupt.h"
+#include "app/commands/render_bands.h"
 #include "app/commands/render_caption.h"
 #include "app/commands/sprite_index.h"
 #include "app/render/contact_sheet.h"
@@ -36,7 +37,7 @@ class PresetRun {
   PresetRun(RenderRun& run, std::vector<std::size_t> items, Progress& progress, std::size_t done) : run_(run), items_(std::move(items)), progress_(progress), done_(done) {}
 
   Expected<void> draw() {
-    if (Interrupt::requested()) return fail(ErrorKind::output, "stopped before all pictures were drawn.", "What is written is whole; --resume goes on from there.");
+    if (Interrupt::requested()) return stoppedEarly();
     const Preset& preset = run_.presets[run_.items[items_.front()].preset];
     if (run_.plan.kind == RenderKind::template_view) return drawTemplate(preset);
     const auto explosion = Explosion::compile(preset, std::nullopt, nullptr, {.threads = run_.plan.threads});
@@ -47,7 +48,28 @@ class PresetRun {
   }
 
  private:
+  /// Pictures too large to be held whole: one after the other, each band written as it is drawn.
+  Expected<void> drawInBands(const PictureJob& job) {
+    Frame frame;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (Interrupt::requested()) return stoppedEarly();
+      WorkItem& item = run_.items[items_[i]];
+      job.explosion->at(shotOf(run_.plan, item.number, job.explosion->duration_s()).time_s, frame, render::kSceneFields, job.threads);
+      render::Scene scene = job.scene;
+      scene.frame = &frame;
+      auto file = BandFile::open(run_.plan, item);
+      if (!file) return tl::unexpected<Error>(file.error());
+      auto done = run_.renderer.drawToRows(scene, job.camera, job.width, job.height, *job.floats, [&](int, render::FloatImage& band) { return (*file)->add(band); });
+      if (done) done = (*file)->finish();
+      if (!done) return done;
+      item.state = FileState::written;
+      progress_.show(done_ + i + 1);
+    }
+    return {};
+  }
+
   Expected<void> drawPictures(const PictureJob& job) {
+    if (inBands(run_.plan)) return drawInBands(job);
     std::vector<Shot> shots;
     for (const std::size_t item : items_) shots.push_back(shotOf(run_.plan, run_.items[item].number, job.explosion->duration_s()));
     std::vector<char> saved;

@@ -1,5 +1,6 @@
 #include "app/commands/render_work.h"
 
+#include "app/commands/build_id.h"
 #include "app/commands/sprite_index.h"
 #include "app/render/deep_image.h"
 #include "app/render/exr.h"
@@ -59,17 +60,14 @@ std::string planText(const RenderPlan& plan) {
   return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + qualityText(plan) + floatsText(plan);
 }
 
-render::DeepImage sixteenBits(const render::FloatImage& floats) {
-  render::DeepImage out{floats.width, floats.height, 16, false, {}};
-  out.rgba.reserve(floats.rgba.size());
-  // Written so that what is no number becomes 0.
-  for (const float value : floats.rgba) out.rgba.push_back(value > 0.0f ? static_cast<std::uint16_t>(std::lround(65535.0f * std::min(value, 1.0f))) : std::uint16_t{0});
+render::DeepImage deepImage(const render::FloatImage& floats) {
+  render::DeepImage out{floats.width, floats.height, 16, false, sixteenBits(floats.rgba)};
   for (std::size_t i = 3; i < out.rgba.size() && !out.alpha; i += 4) out.alpha = out.rgba[i] != 65535;
   return out;
 }
 
 Expected<std::vector<std::uint8_t>> withRecipe(Expected<std::vector<std::uint8_t>> png, const WorkItem& item) {
-  if (png) render::insertPngText(*png, render::kRecipeKeyword, item.recipe);
+  if (png) render::insertPngText(*png, render::kRecipeKeyword, recipeText(item));
   return png;
 }
 
@@ -97,23 +95,36 @@ std::vector<WorkItem> workOf(const RenderPlan& plan, const std::vector<Preset>& 
   return out;
 }
 
-std::string recipeComment(const WorkItem& item) { return std::string(render::kRecipeKeyword) + ' ' + item.recipe; }
+std::vector<std::uint16_t> sixteenBits(std::span<const float> values) {
+  std::vector<std::uint16_t> out;
+  out.reserve(values.size());
+  // Written so that what is no number becomes 0.
+  for (const float value : values) out.push_back(value > 0.0f ? static_cast<std::uint16_t>(std::lround(65535.0f * std::min(value, 1.0f))) : std::uint16_t{0});
+  return out;
+}
 
-bool isFinished(const WorkItem& item) {
+std::string recipeText(const WorkItem& item) { return item.recipe + " build " + buildId(); }
+
+std::string recipeComment(const WorkItem& item) { return std::string(render::kRecipeKeyword) + ' ' + recipeText(item); }
+
+bool isFinished(const WorkItem& item, bool any_build) {
+  // The whole text names the build; up to the first space it is the recipe.
+  const auto same = [&](std::string_view found) { return found == recipeText(item) || (any_build && found.substr(0, found.find(' ')) == item.recipe); };
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(item.path, ignored)) return false;
   if (!item.index.empty() && !std::filesystem::is_regular_file(item.index, ignored)) return false;
-  if (std::optional<std::string> comment = render::videoComment(item.path)) return *comment == recipeComment(item);
+  if (std::optional<std::string> comment = render::videoComment(item.path)) {
+    const std::string before = std::string(render::kRecipeKeyword) + ' ';
+    return comment->starts_with(before) && same(std::string_view(*comment).substr(before.size()));
+  }
+  if (item.path.extension() == ".exr") return same(render::recipeOfWholeExr(item.path).value_or(std::string()));
   const auto bytes = readTextFile(item.path, kMaxFinishedFile);
-  if (!bytes) return false;
-  if (item.path.extension() != ".exr") return render::textOfWholePng(*bytes, render::kRecipeKeyword) == item.recipe;
-  const auto exr = render::parseExr(*bytes, item.path.string(), static_cast<std::size_t>(kMaxPicturePixels));
-  return exr && exr->recipe == item.recipe;
+  return bytes && same(render::textOfWholePng(*bytes, render::kRecipeKeyword).value_or(std::string()));
 }
 
-void skipFinished(std::vector<WorkItem>& items, int threads) {
+void skipFinished(std::vector<WorkItem>& items, bool any_build, int threads) {
   parallelFor(threads, items.size(), [&](std::size_t i) {
-    if (isFinished(items[i])) items[i].state = FileState::skipped;
+    if (isFinished(items[i], any_build)) items[i].state = FileState::skipped;
   });
 }
 
@@ -124,8 +135,8 @@ Expected<std::vector<std::uint8_t>> encoded(const render::Image& image, const Wo
 
 Expected<std::vector<std::uint8_t>> encoded(const RenderPlan& plan, const Picture& picture, const WorkItem& item, render::PngEncoder& encoder) {
   if (!plan.floats) return withRecipe(encoder.encode(picture.image), item);
-  if (plan.format == FileFormat::exr) return render::encodeExr(picture.floats, item.recipe);
-  return withRecipe(render::encodeDeepPng(sixteenBits(picture.floats)), item);
+  if (plan.format == FileFormat::exr) return render::encodeExr(picture.floats, recipeText(item));
+  return withRecipe(render::encodeDeepPng(deepImage(picture.floats)), item);
 }
 
 }  // namespace npsee::commands

@@ -69,7 +69,7 @@ Expected<Wish> pictureWish(const ReplayOptions& options) {
 }
 
 Expected<Wish> wishOf(const ReplayOptions& options) {
-  if (!options.pictures.renders.empty() || !options.pictures.frames.empty() || !options.pictures.fps.empty()) return pictureWish(options);
+  if (!options.pictures.renders.empty() || !options.pictures.frames.empty() || !options.pictures.fps.empty() || !options.pictures.quality.empty()) return pictureWish(options);
   Wish wish;
   if (!options.at.empty()) {
     const auto at = parseOption("--at", options.at, Unit::second);

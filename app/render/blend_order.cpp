@@ -77,7 +77,10 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     const std::uint32_t in_layer = entry.index - static_cast<std::uint32_t>(layer.first);
     instances_.push_back(instanceOf(frame, entry.index, in_layer, layer));
     BlendedInstance& instance = instances_.back();
-    if (layer.pieces) instance.kind = static_cast<float>(in_layer % layer.pieces->pieces.size());
+    if (layer.pieces) {
+      instance.light.sunward = instance.kind;
+      instance.kind = static_cast<float>(in_layer % layer.pieces->pieces.size());
+    }
     if (shade != nullptr && layer.form == Form::smoke) instance.light = shade->at({static_cast<double>(instance.x), static_cast<double>(instance.y), static_cast<double>(instance.z)}, 0.5 * static_cast<double>(instance.size));
   }
 }

@@ -114,7 +114,8 @@ void Bloom::up(const Level& from, const Level& to, float scale) const {
   glBindTexture(GL_TEXTURE_2D, from.texture.name());
   up_.set("u_size", static_cast<float>(from.width), static_cast<float>(from.height));
   up_.set("u_scale", scale);
-  glBlendColor(to.weight, to.weight, to.weight, to.weight);
+  // The alpha says where light was taken: it stays.
+  glBlendColor(to.weight, to.weight, to.weight, 1.0f);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -141,7 +142,7 @@ Expected<BloomLight> Bloom::run(const Target& target, const TileMask& bright) {
   const Level& finest = levels_.front();
   // A picture of one cell keeps its light.
   if (levels_.size() < 2) return BloomLight{};
-  return BloomLight{finest.texture.name(), kShare, static_cast<double>(finest.width) * cell_, static_cast<double>(finest.height) * cell_};
+  return BloomLight{finest.texture.name(), kShare, static_cast<double>(finest.width) * cell_, static_cast<double>(finest.height) * cell_, cell_};
 }
 
 }  // namespace npsee::render

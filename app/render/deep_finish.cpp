@@ -2,7 +2,6 @@
 
 #include "app/gl/state.h"
 #include "app/render/finish_pass.h"
-#include "app/render/float_target.h"
 
 namespace npsee::render {
 
@@ -12,58 +11,60 @@ Expected<DeepFinish> DeepFinish::create() {
   return pass;
 }
 
-Expected<void> DeepFinish::run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, const BloomLight& bloom, FloatImage& image) {
-  if (width_ != target.width() || height_ != target.height()) {
-    auto made = makeFloatTexture(target.width(), target.height(), frame_);
-    if (!made) return tl::unexpected<Error>(made.error());
-    result_ = std::move(*made);
-    width_ = target.width();
-    height_ = target.height();
-  }
-  image.width = width_;
-  image.height = height_;
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, width_, height_);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const int behind = over_backdrop ? 2 : plain != nullptr ? 1 : 0;
-  const Colour colour = plain != nullptr ? *plain : Colour{};
-  // Outside the effect's tiles the target holds what an earlier picture left.
-  all_.reset(width_, height_);
-  all_.markAll();
-  tiles_.upload(all_);
-  draw(target, tiles_, behind, colour, linear, nullptr);
-  if (!effect.empty()) {
-    tiles_.upload(effect);
-    draw(target, tiles_, behind, colour, linear, &bloom);
-  }
-  readFloats(width_, height_, image.rgba);
-  if (static_cast<long long>(width_) * height_ > kMostKeptPixels) {
-    frame_.reset();
-    result_.reset();
-    width_ = height_ = 0;
-  }
+Expected<void> DeepFinish::resize(int width, int rows) {
+  // The last band of a picture may be lower than the others.
+  if (width_ == width && rows_ >= rows) return {};
+  auto made = makeFloatTexture(width, rows, frame_);
+  if (!made) return tl::unexpected<Error>(made.error());
+  result_ = std::move(*made);
+  width_ = width;
+  rows_ = rows;
   return {};
 }
 
-void DeepFinish::draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const {
-  const bool with_effect = bloom != nullptr;
+Expected<void> DeepFinish::run(const Target& target, const DeepParts& parts, const RowBand& band, FloatImage& image) {
+  if (auto sized = resize(target.width(), band.rows); !sized) return sized;
+  image.width = width_;
+  image.height = band.rows;
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  showBand(band, width_);
+  // Outside the effect's tiles the target holds what an earlier picture left.
+  all_.reset(width_, target.height());
+  all_.markAll();
+  tiles_.upload(all_);
+  if (auto drawn = draw(target, tiles_, parts, band, false); !drawn) return drawn;
+  if (!parts.effect.empty()) {
+    tiles_.upload(parts.effect);
+    if (auto drawn = draw(target, tiles_, parts, band, true); !drawn) return drawn;
+  }
+  readFloats(width_, band.rows, image.rgba);
+  return {};
+}
+
+Expected<void> DeepFinish::draw(const Target& target, const TileMesh& tiles, const DeepParts& parts, const RowBand& band, bool with_effect) {
+  const bool draft = with_effect && target.draft();
+  if (draft && !draft_)
+    if (auto loaded = draft_.load("tiles.vert", "deep_draft.frag"); !loaded) return loaded;
   gl::drawPlainly();
-  program_.use();
-  program_.set("u_scene", 0);
-  program_.set("u_backdrop", 1);
-  program_.set("u_behind", behind);
-  program_.set("u_effect", with_effect ? 1.0f : 0.0f);
-  program_.set("u_linear", linear ? 1 : 0);
-  setPlain(program_, plain);
-  setBloom(program_, with_effect ? *bloom : BloomLight{});
+  const gl::Program& program = draft ? draft_ : program_;
+  program.use();
+  if (draft) setDraft(program, target);
+  program.set("u_scene", 0);
+  program.set("u_backdrop", 1);
+  program.set("u_low", band.low());
+  program.set("u_behind", parts.over_backdrop ? 2 : parts.plain != nullptr ? 1 : 0);
+  program.set("u_effect", with_effect ? 1.0f : 0.0f);
+  program.set("u_linear", parts.linear ? 1 : 0);
+  setPlain(program, parts.plain != nullptr ? *parts.plain : Colour{});
+  setBloom(program, with_effect ? parts.bloom : BloomLight{});
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, with_effect ? target.effect() : target.backdrop());
   glBindSampler(0, 0);
-  tiles.draw(program_, 0.0f);
+  tiles.draw(program, 0.0f);
+  return {};
 }
 
 }  // namespace npsee::render

@@ -2,6 +2,7 @@
 
 #include "app/render/bloom.h"
 #include "app/render/float_image.h"
+#include "app/render/float_target.h"
 #include "app/render/target.h"
 #include "app/render/tiles.h"
 
@@ -9,24 +10,34 @@
 
 namespace npsee::render {
 
+/// What a finished picture is made of.
+struct DeepParts {
+  const TileMask& effect;        ///< the tiles that the effect was drawn in, which spread light reaches
+  bool over_backdrop = false;    ///< else over `plain`
+  const Colour* plain = nullptr; ///< sRGB-coded; null: over nothing
+  bool linear = true;            ///< scene light, else as on the screen
+  BloomLight bloom;
+};
+
 /// Finishes a drawn target in single precision, for 16-bit and floating-point files; the counterpart of FinishPass.
 class DeepFinish {
  public:
   static Expected<DeepFinish> create();
 
-  /// `over_backdrop`, or over a plain colour (sRGB-coded), or over nothing (null). `effect` marks the tiles that the effect was
-  /// drawn in, which spread light reaches. Fills width, height and rgba. Error kind graphics when the driver has no room.
-  Expected<void> run(const Target& target, const TileMask& effect, bool over_backdrop, const Colour* plain, bool linear, const BloomLight& bloom, FloatImage& image);
+  /// Fills width, height and rgba of `image` with the rows of a band. Error kind graphics when the driver has no room.
+  Expected<void> run(const Target& target, const DeepParts& parts, const RowBand& band, FloatImage& image);
 
  private:
-  void draw(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, bool linear, const BloomLight* bloom) const;
+  Expected<void> resize(int width, int rows);
+  Expected<void> draw(const Target& target, const TileMesh& tiles, const DeepParts& parts, const RowBand& band, bool with_effect);
 
   gl::Program program_;
+  gl::Program draft_;  // made when first needed
   TileMask all_;
   TileMesh tiles_;
   gl::Texture result_;
   gl::Framebuffer frame_;
-  int width_ = 0, height_ = 0;
+  int width_ = 0, rows_ = 0;
 };
 
 }  // namespace npsee::render

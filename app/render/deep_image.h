@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -34,5 +36,19 @@ Expected<DeepImage> parseDeepPng(std::string_view bytes, const std::string& name
 
 /// PNG bytes with 16 bits per component; equal pictures give equal bytes. The alpha channel is written where `alpha` is set.
 Expected<std::vector<std::uint8_t>> encodeDeepPng(const DeepImage& image);
+
+/// The same file made band by band, so that memory does not grow with the picture.
+class DeepPngWriter {
+ public:
+  DeepPngWriter(int width, int height, bool alpha, std::string_view recipe);
+  ~DeepPngWriter();
+
+  /// The bytes that the next rows from the top add to the file; of the first also the header. Rows lie as in DeepImage. Error kind output.
+  Expected<std::vector<std::uint8_t>> add(std::span<const std::uint16_t> rgba);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace npsee::render

@@ -1,11 +1,13 @@
 #include "app/render/deep_image.h"
 
+#include "app/render/png_text.h"
 #include "sim/core/files.h"
 #include "sim/core/png_glue.h"
 
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <utility>
 
 namespace npsee::render {
 namespace {
@@ -56,9 +58,9 @@ bool decodeRows(png_structp png, png_infop info, std::size_t file_bytes, DeepIma
   return true;
 }
 
-bool encodeRows(png_structp png, png_infop info, const DeepImage& image, std::vector<std::uint16_t>& row) {
+bool encodeHeader(png_structp png, png_infop info, int width, int height, bool alpha) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 16, image.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 16, alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_compression_level(png, kDeflateLevel);
@@ -66,15 +68,26 @@ bool encodeRows(png_structp png, png_infop info, const DeepImage& image, std::ve
   png_set_compression_buffer_size(png, 1u << 16);
   png_write_info(png, info);
   if (std::endian::native == std::endian::little) png_set_swap(png);
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint16_t* from = image.pixel(0, y);
-    if (!image.alpha) {
-      std::uint16_t* to = row.data();
-      for (int x = 0; x < image.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
-      from = row.data();
+  return true;
+}
+
+/// `row` is room for a row without alpha, null where alpha is written.
+bool encodeRows(png_structp png, const std::uint16_t* rgba, std::size_t width, std::size_t rows, std::uint16_t* row) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  for (std::size_t y = 0; y < rows; ++y) {
+    const std::uint16_t* from = rgba + 4 * width * y;
+    if (row != nullptr) {
+      std::uint16_t* to = row;
+      for (std::size_t x = 0; x < width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+      from = row;
     }
     png_write_row(png, reinterpret_cast<png_const_bytep>(from));
   }
+  return true;
+}
+
+bool encodeEnd(png_structp png) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_write_end(png, nullptr);
   return true;
 }
@@ -107,15 +120,36 @@ Expected<DeepImage> readDeepPng(const std::filesystem::path& path) {
   return parseDeepPng(*text, path.string());
 }
 
+struct DeepPngWriter::Impl {
+  std::size_t width, height, done = 0;
+  bool alpha;
+  std::string recipe;
+  std::vector<std::uint8_t> out;
+  std::vector<std::uint16_t> row;
+  png_glue::Writing writing{out};
+
+  bool add(std::span<const std::uint16_t> rgba) {
+    const std::size_t rows = rgba.size() / (4 * width);
+    if (!writing || (done == 0 && !encodeHeader(writing.png(), writing.info(), static_cast<int>(width), static_cast<int>(height), alpha))) return false;
+    if (done == 0 && !recipe.empty()) insertPngText(out, kRecipeKeyword, recipe);
+    done += rows;
+    return encodeRows(writing.png(), rgba.data(), width, rows, alpha ? nullptr : row.data()) && (done < height || encodeEnd(writing.png()));
+  }
+};
+
+DeepPngWriter::DeepPngWriter(int width, int height, bool alpha, std::string_view recipe)
+    : impl_(new Impl{.width = static_cast<std::size_t>(width), .height = static_cast<std::size_t>(height), .alpha = alpha, .recipe = std::string(recipe), .out = {}, .row = std::vector<std::uint16_t>(3 * static_cast<std::size_t>(width))}) {}
+DeepPngWriter::~DeepPngWriter() = default;
+
+Expected<std::vector<std::uint8_t>> DeepPngWriter::add(std::span<const std::uint16_t> rgba) {
+  if (!impl_->add(rgba)) return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + impl_->writing.complaint() + ".");
+  return std::exchange(impl_->out, {});
+}
+
 Expected<std::vector<std::uint8_t>> encodeDeepPng(const DeepImage& image) {
   const std::size_t values = static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0)) * 4;
   if (values == 0 || image.rgba.size() != values) return fail(ErrorKind::output, "an empty picture cannot be written as PNG.");
-  std::vector<std::uint8_t> out;
-  std::vector<std::uint16_t> row(static_cast<std::size_t>(image.width) * 3);
-  const png_glue::Writing writing(out);
-  if (!writing || !encodeRows(writing.png(), writing.info(), image, row))
-    return fail(ErrorKind::output, std::string("a picture cannot be encoded as PNG: ") + writing.complaint() + ".");
-  return out;
+  return DeepPngWriter(image.width, image.height, image.alpha, {}).add(image.rgba);
 }
 
 }  // namespace npsee::render

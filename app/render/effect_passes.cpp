@@ -27,8 +27,14 @@ double shadowStrength(Form form) {
   return 0.0;
 }
 
-/// As kKeyDirection of shaders/common.glsl.
-constexpr Vec3 kTowardsSun{-0.5263, 0.7105, 0.4671};
+/// Shadows of models' pieces have their outlines; over a terrain, where pictures hold more than shadows by then, they are blobs as well.
+bool hasOutlines(const GroundLevel& ground) { return ground.shadow_nearer <= 0.0; }
+
+/// Of the strengths above, which are those of the day: what comes from the sky alone throws no shadow.
+double shadowShare(const GroundLevel& ground) {
+  static const double day = HourLight{}.keyShare();
+  return ground.hour.keyShare() / day;
+}
 
 /// Puffs of smoke in a row for which a call of their own pays.
 constexpr std::size_t kLongRun = 32;
@@ -53,6 +59,16 @@ Expected<EffectPasses> EffectPasses::create() {
   return passes;
 }
 
+Expected<void> EffectPasses::drawOutlines(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
+  if (!hasOutlines(ground)) return {};
+  for (const LayerSpan& layer : layers) {
+    if (!layer.pieces) continue;
+    if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
+    pieces_->drawShadows(view, frame, layer, ground, shadowShare(ground) * shadowStrength(layer.form));
+  }
+  return {};
+}
+
 template <class Pass, class Draw>
 Expected<void> EffectPasses::drawLayers(std::optional<Pass>& pass, Form form, const Frame& frame, std::span<const LayerSpan> layers, Draw draw) {
   for (const LayerSpan& layer : layers) {
@@ -65,7 +81,8 @@ Expected<void> EffectPasses::drawLayers(std::optional<Pass>& pass, Form form, co
 }
 
 Expected<void> EffectPasses::drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  return drawLayers(scorch_, Form::scorch, frame, layers, [&](ScorchPass& pass, const LayerSpan& layer, std::size_t count) { pass.draw(view, frame_, layer.first, count, ground); });
+  const bool under = hasOutlines(ground) && std::ranges::any_of(layers, [](const LayerSpan& layer) { return layer.pieces != nullptr; });
+  return drawLayers(scorch_, Form::scorch, frame, layers, [&](ScorchPass& pass, const LayerSpan& layer, std::size_t count) { pass.draw(view, frame_, layer.first, count, ground, under); });
 }
 
 Expected<void> EffectPasses::drawShockRings(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
@@ -77,21 +94,16 @@ Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const
 }
 
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
-  // Those of pieces have their outlines; over a terrain, where pictures hold more than shadows by then, they are blobs as well.
-  for (const LayerSpan& layer : layers)
-    if (layer.pieces && ground.shadow_nearer <= 0.0) {
-      if (auto made = makeOnce(pieces_, ParticleOutput::light); !made) return made;
-      pieces_->drawShadows(view, frame, layer, ground, shadowStrength(layer.form));
-    }
+  const double share = shadowShare(ground);
   for (const LayerSpan& layer : layers) {
     const std::size_t count = countIn(layer, frame);
-    const double strength = layer.pieces && ground.shadow_nearer <= 0.0 ? 0.0 : shadowStrength(layer.form);
+    const double strength = layer.pieces && hasOutlines(ground) ? 0.0 : share * shadowStrength(layer.form);
     if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
   }
-  mapSmokeShadow(frame, layers, {ground.height_m, ground.slope_x, ground.slope_z}, kTowardsSun, shadow_map_);
+  mapSmokeShadow(frame, layers, {ground.height_m, ground.slope_x, ground.slope_z}, ground.hour.towards_key, shadow_map_);
   if (shadow_map_.empty()) return {};
   if (auto made = makeOnce(smoke_shadow_); !made) return made;
-  smoke_shadow_->draw(view, ground, kTowardsSun, shadow_map_);
+  smoke_shadow_->draw(view, ground, ground.hour.towards_key, share, shadow_map_);
   return {};
 }
 
@@ -187,7 +199,7 @@ Expected<void> EffectPasses::drawAmong(const PiecesDrawn& pieces, const View& vi
 }
 
 Expected<void> EffectPasses::drawBlended(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground, const PiecesDrawn* pieces) {
-  shade_.build(frame, layers, kTowardsSun);
+  shade_.build(frame, layers, ground.hour.towards_key);
   shade_.lookFrom(view.eye);
   order_.sort(frame, layers, view, pieces != nullptr ? Blended::soft : Blended::all, &shade_);
   if (!order_.instances().empty()) blended_.upload(order_.instances());

@@ -17,8 +17,8 @@
 
 namespace npsee::render {
 
-/// The passes that draw an explosion's particles into the bound framebuffer, in three steps: shadows under everything, opaque
-/// forms, then what is blended, from back to front.
+/// The passes that draw an explosion's particles into the bound framebuffer, in this order: what lies on the ground (outlines of shadows, burnt
+/// patches under them, other shadows, light, blast fronts), opaque forms, then what is blended, from back to front.
 class EffectPasses {
  public:
   static Expected<EffectPasses> create();
@@ -27,8 +27,11 @@ class EffectPasses {
   void setDetail(bool detail) { detail_ = detail; }
   /// Hands the frame to GL; the other calls draw the frame uploaded last.
   void upload(const Frame& frame, std::span<const LayerSpan> layers) { frame_.upload(frame, layers); }
-  /// Burnt ground, which belongs to the ground: before everything else.
+  /// Shadows of models' pieces, as outlines, into tiles that hold nothing yet; not over a terrain, where they are blobs.
+  Expected<void> drawOutlines(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  /// Burnt ground, which belongs to the ground: under all else, outlines too.
   Expected<void> drawScorch(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
+  /// The other shadows: blobs under pieces, and smoke's.
   Expected<void> drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground);
   /// The light of the ground's glow on the ground; nothing where it does not shine.
   Expected<void> drawGlow(const View& view, const GroundLevel& ground);

@@ -1,5 +1,6 @@
 #include "app/render/effect_tiles.h"
 
+#include "app/render/heat.h"
 #include "app/render/meshes.h"
 #include "app/render/shock_pass.h"
 
@@ -12,9 +13,8 @@ namespace {
 
 /// Pixels added around: least sizes, edges, rounding.
 constexpr double kMargin_px = 2.5;
-/// The key light of shaders/common.glsl as its throw on the ground per metre of height, and the blob of shaders/shadow.vert:
-/// its radius per size and per metre of height, both stretched along the light.
-constexpr double kThrowX = 0.7408, kThrowZ = -0.6575, kBlobSize = 0.71, kBlobGrowth = 0.0142;
+/// The blob of shaders/shadow.vert: its radius per size and per metre of height, before both are stretched along the light.
+constexpr double kBlobSize = 0.5045, kBlobGrowth = 0.0101;
 
 /// What a ball of radius r around a point may cover, or a disc of that radius on the ground; nothing if it may surround the eye, where
 /// anything is possible.
@@ -45,6 +45,20 @@ bool markRound(TileMask& mask, const View& view, const Vec3& at, double r, bool 
   return box.has_value();
 }
 
+/// Marks a blob of half width r on the ground that is stretched along the light, as a chain of discs: a circle around all of a long one would
+/// hold far more than it.
+bool markShadow(TileMask& mask, const View& view, const Vec3& at, double r, const Vec3& sun) {
+  const double flat = std::sqrt(sun.x * sun.x + sun.z * sun.z), stretch = 1.0 / sun.y;
+  const int discs = flat > 0.0 ? static_cast<int>(std::ceil(stretch / 1.5)) : 1;
+  if (discs <= 1) return markRound(mask, view, at, r * stretch, true);
+  const double step = 2.0 * stretch / discs;
+  for (int i = 0; i < discs; ++i) {
+    const double along = r * (-stretch + (i + 0.5) * step) / flat;
+    if (!markRound(mask, view, {at.x + along * sun.x, at.y, at.z + along * sun.z}, r * std::sqrt(1.0 + 0.25 * step * step), true)) return false;
+  }
+  return true;
+}
+
 /// Largest distance from a particle's place to anything drawn of it. Pieces near the ground are lifted onto it.
 double reachOf(const Frame& frame, std::size_t i, Form form, double above_ground_m) {
   const double size = static_cast<double>(frame.size[i]);
@@ -67,21 +81,28 @@ bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, 
 
 Vec3 placeOf(const Frame& frame, std::size_t i) { return {static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}; }
 
-/// Whether a particle may be brighter than the roll-off's threshold: streaks are up to 3.2 times their colour, fire and flash more.
-bool mayDazzle(const Frame& frame, std::size_t i, Form form) {
+/// Whether a particle may be brighter than the roll-off's threshold: streaks are up to 3.2 times their colour, fire and flash more; pieces only if they are hot.
+bool mayDazzle(const Frame& frame, std::size_t i, const LayerSpan& layer) {
   if (frame.size[i] <= 0.0f || frame.a[i] < 0.05f) return false;
-  const float most = std::max({frame.r[i], frame.g[i], frame.b[i]});
-  return form == Form::flash || form == Form::fire ? most > 0.3f : frame.a[i] > 0.25f && most > 0.55f;
+  const double temperature = temperatureAt(layer, frame, i);
+  if (!isSoft(layer.form)) {
+    const Vec3 light = emittedLight(temperature);
+    return std::max({light.x, light.y, light.z}) > 0.3;
+  }
+  const Colour colour = hotColour({static_cast<double>(frame.r[i]), static_cast<double>(frame.g[i]), static_cast<double>(frame.b[i])}, temperature);
+  const double most = std::max({colour.r, colour.g, colour.b});
+  return layer.form == Form::flash || layer.form == Form::fire ? most > 0.3 : frame.a[i] > 0.25f && most > 0.55;
 }
 
 }  // namespace
 
 void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> layers, const View& view) {
   for (const LayerSpan& layer : layers) {
-    if (!isSoft(layer.form) || layer.form == Form::smoke) continue;
+    const bool hot_pieces = (isSolid(layer.form) || layer.form == Form::pieces) && layer.temperature_k > 0.0;
+    if (!hot_pieces && (!isSoft(layer.form) || layer.form == Form::smoke)) continue;
     const std::size_t end = std::min(layer.first + layer.count, frame.count);
     for (std::size_t i = layer.first; i < end; ++i) {
-      if (!mayDazzle(frame, i, layer.form)) continue;
+      if (!mayDazzle(frame, i, layer)) continue;
       if (!markRound(mask, view, placeOf(frame, i), reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
     }
   }
@@ -129,8 +150,9 @@ void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
       const double x = static_cast<double>(frame.x[i]), y = static_cast<double>(frame.y[i]), z = static_cast<double>(frame.z[i]), size = static_cast<double>(frame.size[i]);
       bool bounded = markRound(mask, view, {x, y, z}, reachOf(frame, i, layer.form, y - ground_m), false);
       if (bounded && shadows) {
-        const double height_m = std::max(y - ground_m, 0.25 * size);
-        bounded = markRound(mask, view, {x + kThrowX * height_m, ground_m, z + kThrowZ * height_m}, kBlobSize * size + kBlobGrowth * height_m, true);
+        const Vec3& sun = ground.hour.towards_key;
+        const double height_m = std::max(y - ground_m, 0.25 * size), far_m = height_m / sun.y;
+        bounded = markShadow(mask, view, {x - sun.x * far_m, ground_m, z - sun.z * far_m}, kBlobSize * size + kBlobGrowth * height_m, sun);
       }
       if (!bounded) return mask.markAll();
     }

@@ -9,12 +9,14 @@ namespace npsee::render {
 
 double FineFrames::timeOf(int look) { return kShutter_s * (((7 * look + 3) % kLooks + 0.5) / kLooks - 0.5); }
 
+std::array<double, 2> FineFrames::asideOf(int look, int width, int height) { return {2.0 / width * ((look % 4 + 0.5) / 4.0 - 0.5), 2.0 / height * ((look / 4 + 0.5) / 4.0 - 0.5)}; }
+
 View FineFrames::viewOf(const View& view, int look, int width, int height) {
   View out = view;
-  const double aside[2] = {2.0 / width * ((look % 4 + 0.5) / 4.0 - 0.5), 2.0 / height * ((look / 4 + 0.5) / 4.0 - 0.5)};
+  const std::array<double, 2> aside = asideOf(look, width, height);
   // A place on the picture is clip.xy / clip.w: moving it all aside adds a share of the last row.
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 2; ++row) out.view_projection[4 * column + row] += static_cast<float>(aside[row] * static_cast<double>(view.view_projection[4 * column + 3]));
+    for (int row = 0; row < 2; ++row) out.view_projection[4 * column + row] += static_cast<float>(aside[static_cast<std::size_t>(row)] * static_cast<double>(view.view_projection[4 * column + 3]));
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <npsee/explosion.h>
 
+#include <array>
 #include <span>
 
 namespace npsee::render {
@@ -19,6 +20,8 @@ class FineFrames {
 
   /// Time of a look from the picture's, s.
   static double timeOf(int look);
+  /// How far a look of a picture of that size is moved to the right and up, as a share of half the picture.
+  static std::array<double, 2> asideOf(int look, int width, int height);
   /// The view of a look of a picture of that size.
   static View viewOf(const View& view, int look, int width, int height);
   /// The frame of a look, valid until the next call. Call with look 0 first for each picture.

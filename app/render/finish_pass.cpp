@@ -57,12 +57,13 @@ Expected<void> FinishPass::drawOverColour(const Target& target, const TileMesh& 
 }
 
 Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles, const BloomLight& bloom) {
-  gl::Program& program = target.smooth() ? mission_smooth_ : mission_;
+  gl::Program& program = target.draft() ? mission_draft_ : target.smooth() ? mission_smooth_ : mission_;
   if (!program)
-    if (auto loaded = program.load("tiles.vert", target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag"); !loaded) return loaded;
+    if (auto loaded = program.load("tiles.vert", target.draft() ? "finish_mission_draft.frag" : target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag"); !loaded) return loaded;
   target.bindFinished();
   gl::drawPlainly();
   program.use();
+  if (target.draft()) setDraft(program, target);
   program.set("u_scene", 0);
   setBloom(program, bloom);
   glActiveTexture(GL_TEXTURE0);
@@ -119,9 +120,17 @@ Expected<void> FinishPass::layDraft(const Target& target, const TileMesh& tiles,
   return {};
 }
 
+void setDraft(const gl::Program& program, const Target& target) {
+  const auto set = [&](const char* name, double x, double y) { program.set(name, static_cast<float>(x), static_cast<float>(y)); };
+  set("u_per_pixel", static_cast<double>(target.draftWidth()) / target.width(), static_cast<double>(target.draftHeight()) / target.height());
+  set("u_used", target.draftWidth(), target.draftHeight());
+  set("u_texels", target.width(), target.height());
+}
+
 void setBloom(const gl::Program& program, const BloomLight& bloom) {
   program.set("u_bloom", 2);
   program.set("u_bloom_share", static_cast<float>(bloom.texture != 0 ? bloom.share : 0.0));
+  program.set("u_bloom_cell", bloom.cell_px);
   program.set("u_bloom_size", static_cast<float>(std::max(bloom.width_px, 1.0)), static_cast<float>(std::max(bloom.height_px, 1.0)));
   glActiveTexture(GL_TEXTURE2);
   glBindTexture(GL_TEXTURE_2D, bloom.texture);

@@ -36,8 +36,11 @@ class FinishPass {
 
   gl::Program clear_, single_, smooth_;
   gl::Program draft_, enlarge_, sum_;     // made when first needed
-  gl::Program mission_, mission_smooth_;  // made when first needed
+  gl::Program mission_, mission_smooth_, mission_draft_;  // made when first needed
 };
+
+/// Sets where a draft's effect lies in its texture: u_per_pixel, u_used and u_texels, with the program in use.
+void setDraft(const gl::Program& program, const Target& target);
 
 /// Sets u_plain from an sRGB-coded colour.
 void setPlain(const gl::Program& program, const Colour& plain);

@@ -21,18 +21,24 @@ Expected<gl::Texture> makeFloatTexture(int width, int height, gl::Framebuffer& f
   return fail(ErrorKind::graphics, "the driver has no floating-point picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels" + (error != nullptr ? std::string(": ") + error : std::string()) + ".", "Choose a smaller size.");
 }
 
-void readRows(int width, int first, int rows, std::vector<float>& out) {
+void showBand(const RowBand& band, int width) {
+  glViewport(0, -band.low(), width, band.height);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void readRows(int width, int rows, std::vector<float>& out) {
   out.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows));
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, first, width, rows, GL_RGBA, GL_FLOAT, out.data());
+  glReadPixels(0, 0, width, rows, GL_RGBA, GL_FLOAT, out.data());
 }
 
-void readFloats(int width, int height, std::vector<float>& out) {
+void readFloats(int width, int rows, std::vector<float>& out) {
   const std::size_t row = 4 * static_cast<std::size_t>(width);
-  readRows(width, 0, height, out);
+  readRows(width, rows, out);
   // GL's first row is the lowest.
-  for (std::size_t low = 0, high = static_cast<std::size_t>(height) - 1; low < high; ++low, --high)
+  for (std::size_t low = 0, high = static_cast<std::size_t>(rows) - 1; low < high; ++low, --high)
     std::swap_ranges(out.begin() + static_cast<std::ptrdiff_t>(low * row), out.begin() + static_cast<std::ptrdiff_t>((low + 1) * row), out.begin() + static_cast<std::ptrdiff_t>(high * row));
 }
 

@@ -11,13 +11,22 @@ namespace npsee::render {
 /// An RGBA32F texture of the given size. Error kind graphics when the driver has no room for it and its framebuffer `frame`.
 Expected<gl::Texture> makeFloatTexture(int width, int height, gl::Framebuffer& frame);
 
-/// Pixels from which float textures are given back after use, since they then take more memory than the picture itself.
-inline constexpr long long kMostKeptPixels = 9'000'000;
+/// Rows of a picture, counted from its top, that are drawn at a time.
+struct RowBand {
+  int first = 0, rows = 0;
+  int height = 0;  ///< of the whole picture
 
-/// Rows `first` to `first + rows` (from the lowest) of the bound framebuffer, four values per pixel, the lowest first.
-void readRows(int width, int first, int rows, std::vector<float>& out);
+  /// Row of the picture, counted from the lowest, that is the band's lowest.
+  int low() const { return height - first - rows; }
+};
 
-/// Four values per pixel of the bound framebuffer, rows from the top.
-void readFloats(int width, int height, std::vector<float>& out);
+/// Sets the viewport of a picture of that width so that the bound framebuffer, as high as the band, holds the band's rows.
+void showBand(const RowBand& band, int width);
+
+/// Rows of the bound framebuffer from its lowest, four values per pixel, the lowest first.
+void readRows(int width, int rows, std::vector<float>& out);
+
+/// The same from the uppermost.
+void readFloats(int width, int rows, std::vector<float>& out);
 
 }  // namespace npsee::render

@@ -40,7 +40,7 @@ struct BlendedInstance {
   float r, g, b, a;
   float p[4];  ///< solid forms: quaternion; soft forms: velocity and the particle's own number 0..1
   float kind;  ///< soft forms: 0 streak, 1 smoke, 2 fire, 3 flash; solid ones: temperature, K
-  PuffLight light;  ///< of smoke
+  PuffLight light;  ///< of smoke; pieces of a model have their temperature, K, as its first
 };
 
 /// Kind of a puff of smoke.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/glow.h"
+#include "app/render/hour_light.h"
 #include "app/render/view.h"
 
 namespace npsee::render {
@@ -13,7 +14,7 @@ struct GroundLevel {
   double slope_x = 0.0, slope_z = 0.0;  ///< rise per metre: on a terrain the ground is a plane through the burst
   double shadow_nearer = 0.0;  ///< share of the distance by which shadows are drawn before the ground; above 0 they are hidden by what is nearer
   bool land = true;     ///< can be scorched
-  Vec3 daylight{1.0, 1.0, 1.0};  ///< on the sun and the sky, by the hour of an explosion
+  HourLight hour;       ///< of an explosion
   double dimmed = 0.0;  ///< share of the daylight that is missing
   double extinction_per_m = 0.0;
   Vec3 haze;            ///< linear colour of the air

@@ -22,8 +22,7 @@ constexpr double kLeastPieces = 120.0, kPiecesPerPixel = 14.0;
 constexpr double kAirBurst_m = 2.0;
 /// Explosions outside the picture by more than this are not compiled, m.
 constexpr double kReach_m = 400.0;
-/// Vehicles that came apart: drawn in pieces at most, the nearest, and how far those go.
-constexpr std::size_t kMostInPieces = 200;
+/// How far the pieces of a vehicle go.
 constexpr double kFlung_m = 80.0;
 
 /// The terrain as seen from a burst, which is its origin. Pieces fall on the sea as on land.
@@ -78,8 +77,10 @@ std::shared_ptr<const Explosion> MissionBursts::compiledFor(const Recording& rec
   CompileOptions options;
   options.threads = threads;
   if (model) options.model = model(key);
-  auto explosion = Explosion::compile(placed(*key.preset, -ground.height(0.0, 0.0), key.wind), key.seed, &ground, options);
-  kept_.push_front({key, explosion ? *explosion : nullptr});
+  std::shared_ptr<const Explosion> compiled;
+  if (!model || options.model != nullptr)
+    if (auto explosion = Explosion::compile(placed(*key.preset, -ground.height(0.0, 0.0), key.wind), key.seed, &ground, options)) compiled = std::move(*explosion);
+  kept_.push_front({key, std::move(compiled)});
   if (kept_.front().explosion) kept_bytes_ += kept_.front().explosion->memoryBytes();
   while (kept_bytes_ > kMostBytes && kept_.size() > 1) {
     if (kept_.back().explosion) kept_bytes_ -= kept_.back().explosion->memoryBytes();
@@ -134,6 +135,7 @@ void MissionBursts::addWreck(const Recording& recording, std::size_t vehicle, co
     return burntSolid(models.models()[instance.model], instance, key.at);
   });
   if (explosion == nullptr || explosion->layers().empty()) return;
+  in_pieces_[vehicle] = 1;
   Drawn& drawn = next();
   drawn.origin = wanted.at;
   drawn.layers = explosion->layers();
@@ -150,6 +152,7 @@ void MissionBursts::addWrecks(const Recording& recording, double time_s, const M
     Undoing undoing;
   };
   std::vector<Near> near;
+  in_pieces_.assign(recording.vehicles.size(), 0);
   for (std::size_t i = 0; i < recording.vehicles.size(); ++i) {
     const VehicleRecord& record = recording.vehicles[i];
     if (record.damage.empty() || record.track.legs.empty()) continue;

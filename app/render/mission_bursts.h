@@ -13,6 +13,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace npsee::render {
@@ -37,6 +38,9 @@ class MissionBursts {
 
   /// Marks where bursts may be brighter than a picture can show.
   void markBright(TileMask& mask, const MissionEye& eye) const;
+
+  /// By vehicle: 1 for those that are drawn in pieces, as prepared; all others stand whole.
+  std::span<const char> inPieces() const { return in_pieces_; }
 
   std::size_t count() const { return bursts_.size(); }
   std::size_t particles() const;
@@ -68,7 +72,7 @@ class MissionBursts {
     Key key;
     std::shared_ptr<const Explosion> explosion;  // null: it could not be compiled
   };
-  /// `model` makes the model of pieces, where a vehicle comes apart.
+  /// `model` makes the model of pieces, where a vehicle comes apart; without one there is nothing to compile.
   std::shared_ptr<const Explosion> compiledFor(const Recording& recording, Key key, int threads, const std::function<std::shared_ptr<const SolidModel>(Key&)>& model = nullptr);
   void addWrecks(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
   void addWreck(const Recording& recording, std::size_t vehicle, const Undoing& undoing, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
@@ -82,6 +86,7 @@ class MissionBursts {
   MissionLight light_;
   std::vector<Drawn> bursts_;
   std::vector<Drawn> spare_;
+  std::vector<char> in_pieces_;
 };
 
 }  // namespace npsee::render

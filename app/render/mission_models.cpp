@@ -64,8 +64,8 @@ double azimuthOf(const ShellRecord& shell) {
 
 class Collector {
  public:
-  Collector(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models)
-      : recording_(recording), time_s_(time_s), view_(view), eye_(eye), models_(models), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px) {
+  Collector(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models, std::span<const char> in_pieces)
+      : recording_(recording), time_s_(time_s), view_(view), eye_(eye), models_(models), in_pieces_(in_pieces), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px) {
     block_ = models.find("block", {});
     for (const ShellRecord& shell : recording.shells) {
       if (shell.fired_s > time_s) break;
@@ -105,7 +105,7 @@ class Collector {
     const VehicleRecord& record = recording_.vehicles[index];
     if (ownVehicle(index) || record.track.legs.empty()) return;
     // What came apart is drawn with the bursts.
-    if (undoingOf(recording_, index, time_s_) && drawnInPieces(eye_, view_, recording_.vehiclePlace(index, time_s_), drawnLength(record.type))) return;
+    if (index < in_pieces_.size() && in_pieces_[index] != 0) return;
     const auto aimed = aimed_.find(static_cast<int>(index));
     add(vehicleInstance(recording_, index, time_s_, aimed != aimed_.end() ? std::optional(aimed->second) : std::nullopt, models_), drawnLength(record.type));
   }
@@ -174,6 +174,7 @@ class Collector {
   const MissionView& view_;
   const MissionEye& eye_;
   const ModelPass& models_;
+  std::span<const char> in_pieces_;
   double least_px_;
   std::size_t block_ = 0;
   std::map<int, double> aimed_;  // azimuth of the last shot of vehicles that have just fired
@@ -271,8 +272,8 @@ std::vector<GroundCorner> modelShadows(const Recording& recording, const std::ve
   return out;
 }
 
-std::vector<ModelInstance> missionModels(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models) {
-  return Collector(recording, time_s, view, eye, models).collect();
+std::vector<ModelInstance> missionModels(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models, std::span<const char> in_pieces) {
+  return Collector(recording, time_s, view, eye, models, in_pieces).collect();
 }
 
 }  // namespace npsee::render

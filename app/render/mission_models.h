@@ -6,6 +6,7 @@
 #include <npsee/recording.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace npsee::render {
@@ -26,8 +27,8 @@ std::optional<double> aimedAt(const Recording& recording, int vehicle, double ti
 /// Factor by which something of that length is enlarged to be seen at a depth.
 double enlargement(const MissionEye& eye, double length_m, double depth_m, double least_px);
 
-/// Vehicles, guns, shells and observers at a moment, as models. What is not in the picture is left out.
-std::vector<ModelInstance> missionModels(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models);
+/// Vehicles, guns, shells and observers at a moment, as models. What is not in the picture is left out, and vehicles whose entry of `in_pieces` is not 0.
+std::vector<ModelInstance> missionModels(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models, std::span<const char> in_pieces);
 
 /// Size of a vehicle's model on the ground, m, before enlarging.
 double drawnLength(const VehicleType& type);

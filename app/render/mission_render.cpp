@@ -253,17 +253,18 @@ Expected<MissionView> missionView(const MissionRender& render, const Recording& 
     if (!render.distance_given) camera.distance_m = render.target_given ? 400.0 : overview.distance_m;
     if (!render.yaw_given) camera.yaw_rad = overview.yaw_rad;
     if (!render.pitch_given) camera.pitch_rad = overview.pitch_rad;
-  } else if (!render.distance_given) {
-    camera.distance_m = camera.kind == Kind::gun ? 45.0 : 60.0;
+  } else {
+    if (!render.distance_given) camera.distance_m = camera.kind == Kind::gun ? 45.0 : 60.0;
     if (!render.yaw_given) camera.yaw_rad = 0.5;
     if (!render.pitch_given) camera.pitch_rad = 0.22;
   }
   for (Vec3* place : {&camera.target, &camera.eye})
     if (std::isnan(place->y)) place->y = recording.terrain.surface(place->x, place->z) + (place == &camera.eye ? 2.0 : 0.0);
-  PresetShelf shelf;
   for (const auto& [number, name] : render.presets) {
-    out.presets[number] = shelf.find(name, std::filesystem::current_path());
-    if (!shelf.warnings().empty()) return refused(render.text, shelf.warnings().front(), "`npsee render --help` tells how presets are named; shipped ones go by their file's name without .npsee.json.");
+    auto preset = PresetShelf::lookUp(name, std::filesystem::current_path());
+    if (!preset && preset.error().kind != ErrorKind::usage) return tl::unexpected<Error>(preset.error());
+    if (!preset) return refused(render.text, preset.error().faults.front().what, preset.error().faults.front().remedy);
+    out.presets[number] = std::move(*preset);
   }
   return out;
 }

@@ -84,7 +84,7 @@ struct MissionScene::Impl {
   void drawGround(const GroundKey& key, const View& view, const MissionEye& eye);
   void drawAreas(const std::vector<GroundCorner>& corners, const MissionEye& eye, const View& view, double extinction_per_m, double nearer);
   void drawFan(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const View& at_origin);
-  void drawOverlays(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const View& at_origin, bool night);
+  void drawOverlays(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionEye& whole, const View& at_origin, bool night);
 };
 
 Expected<void> MissionScene::Impl::makePasses() {
@@ -151,16 +151,17 @@ void MissionScene::Impl::drawFan(const Recording& recording, double time_s, cons
   drawAreas(fan.corners, eye, at_origin, 0.0, 0.005);
 }
 
-void MissionScene::Impl::drawOverlays(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const View& at_origin, bool night) {
+/// `whole` is the eye of the picture, `eye` that of what it is drawn into.
+void MissionScene::Impl::drawOverlays(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const MissionEye& whole, const View& at_origin, bool night) {
   drawFan(recording, time_s, view, eye, at_origin);
-  const OverlayDrawing overlays = overlaysOf(recording, time_s, view, eye, marksOf(recording, time_s, view, eye), weapons);
+  const OverlayDrawing overlays = overlaysOf(recording, time_s, view, whole, marksOf(recording, time_s, view, whole), weapons);
   strokes.clear();
-  addStrokes(overlays.ground, eye, strokes);
+  addStrokes(overlays.ground, whole, strokes);
   passes->strokes.draw(strokes, StrokePass::Hiding::by_depth);
   strokes.clear();
-  addStrokes(overlays.screen, eye.width, eye.height, strokes);
+  addStrokes(overlays.screen, whole.width, whole.height, strokes);
   if (eye.reticle) {
-    addStrokes(reticleOf(eye, view.camera.field_mil, night), eye.width, eye.height, strokes);
+    addStrokes(reticleOf(whole, view.camera.field_mil, night), whole.width, whole.height, strokes);
     passes->overlay.drawMask(eye.width, eye.height, circleRadius(eye));
   }
   passes->strokes.draw(strokes, StrokePass::Hiding::none);
@@ -186,7 +187,7 @@ std::vector<MissionMark> MissionScene::marks(const Recording& recording, double 
 const std::vector<std::string>& MissionScene::warnings() const { return impl_->bursts.warnings(); }
 const MissionScene::Counts& MissionScene::counts() const { return impl_->counts; }
 
-Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, TileMask& bright) {
+Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, const MissionLook& look, TileMask& bright) {
   Impl& own = *impl_;
   if (auto made = own.makePasses(); !made) return made;
   if (!own.ground.of(recording.terrain)) {
@@ -194,21 +195,27 @@ Expected<void> MissionScene::draw(EffectPasses& effects, const Recording& record
     own.passes->terrain.forget();
     own.passes->kept.forget();
   }
-  const MissionEye eye = missionEye(recording, time_s, view.camera, width, height);
+  // Lines, marks and the least size of models count in the picture's pixels, whatever it is drawn into.
+  MissionEye whole = missionEye(recording, time_s, view.camera, width, height);
+  whole.lens.aside_x = look.aside_x;
+  whole.lens.aside_y = look.aside_y;
+  MissionEye eye = whole;
+  eye.width = look.width;
+  eye.height = look.height;
   const View at_origin = eye.view();
   const bool map = eye.kind == Kind::plan;
   const MissionLight light = map ? mapLight() : lightFor(recording, time_s, view.camera, eye);
 
-  own.drawGround({eye.lens, width, height, boundSamples(), light, linesOf(view, eye), recording.terrain.heights().data()}, at_origin, eye);
+  own.drawGround({eye.lens, eye.width, eye.height, boundSamples(), light, linesOf(view, eye), recording.terrain.heights().data()}, at_origin, eye);
   if (view.overlays.scorch) own.drawAreas(scorchMarks(recording, time_s, eye), eye, at_origin, extinctionOf(light.visibility_m), 0.003);
-  const std::vector<ModelInstance> models = missionModels(recording, time_s, view, eye, own.passes->models);
-  own.drawAreas(modelShadows(recording, models, eye, own.passes->models), eye, at_origin, extinctionOf(light.visibility_m), 0.002);
+  own.bursts.prepare(recording, time_s, view, whole, light, own.passes->models);
+  const std::vector<ModelInstance> models = missionModels(recording, time_s, view, whole, own.passes->models, own.bursts.inPieces());
+  own.drawAreas(modelShadows(recording, models, whole, own.passes->models), eye, at_origin, extinctionOf(light.visibility_m), 0.002);
   own.passes->models.draw(models, eye.lens.eye, at_origin, light);
-  own.bursts.prepare(recording, time_s, view, eye, light, own.passes->models);
   if (auto drawn = own.bursts.drawOpaque(effects, eye); !drawn) return drawn;
   if (auto drawn = own.bursts.drawBlended(effects, eye); !drawn) return drawn;
   if (!map) own.bursts.markBright(bright, eye);
-  own.drawOverlays(recording, time_s, view, eye, at_origin, light.night);
+  own.drawOverlays(recording, time_s, view, eye, whole, at_origin, light.night);
   own.counts = {own.passes->terrain.tiles(), models.size(), own.bursts.count(), own.bursts.particles(), own.bursts.compiled()};
   return {};
 }

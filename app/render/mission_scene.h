@@ -2,6 +2,7 @@
 
 #include "app/render/mission_camera.h"
 #include "app/render/mission_light.h"
+#include "app/render/quality.h"
 
 #include <npsee/preset.h>
 #include <npsee/recording.h>
@@ -41,7 +42,14 @@ struct MissionView {
   /// Explosion presets by shell number (`ShellRecord::number`), instead of the recording's; number 0 stands for all others.
   std::map<int, std::shared_ptr<const Preset>> presets;
   bool smooth = true;         ///< several samples per pixel; costs about a third of the time
+  Quality quality = Quality::normal;
   int threads = 1;            ///< for compiling explosions; the picture does not depend on it
+};
+
+/// How a picture of a mission, or one of those that it is made of, lies in what it is drawn into.
+struct MissionLook {
+  int width = 0, height = 0;            ///< of what is drawn into, pixels; those of a draft are fewer than the picture's
+  double aside_x = 0.0, aside_y = 0.0;  ///< as those of Lens
 };
 
 /// Something of the mission at a place of the picture: for labels, for picking with the mouse, for lists.
@@ -85,8 +93,8 @@ class MissionScene {
 
  private:
   friend class Renderer;
-  /// Draws into the bound framebuffer (linear light, with depth), over whatever it holds. Marks in `bright` what may dazzle.
-  Expected<void> draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, TileMask& bright);
+  /// Draws a picture of that size into the bound framebuffer (linear light, with depth), over whatever it holds. Marks in `bright` what may dazzle.
+  Expected<void> draw(EffectPasses& effects, const Recording& recording, double time_s, const MissionView& view, int width, int height, const MissionLook& look, TileMask& bright);
 
   struct Impl;
   explicit MissionScene(std::unique_ptr<Impl> impl);

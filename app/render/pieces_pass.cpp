@@ -2,6 +2,7 @@
 
 #include "app/gl/state.h"
 #include "app/gl/vertices.h"
+#include "app/render/heat.h"
 #include "app/render/solid_pass.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace npsee::render {
 namespace {
 
-/// Models kept in buffers: as many as a picture of a mission has wrecks, roughly.
-constexpr std::size_t kMostLoaded = 48;
+/// Models kept in buffers: those that a picture of a mission holds at most, drawn in the same order each time.
+constexpr std::size_t kMostLoaded = kMostInPieces;
 
 struct PieceVertex {
   float position[3], normal[3], colour[4], piece;
@@ -56,6 +57,8 @@ Expected<PiecesPass> PiecesPass::create(ParticleOutput output) {
   if (auto done = pass.program_.load("pieces.vert", output == ParticleOutput::surface ? "solid_surface.frag" : "solid.frag"); !done) return tl::unexpected<Error>(done.error());
   if (output == ParticleOutput::light)
     if (auto done = pass.shadow_.load("pieces_shadow.vert", "solid.frag"); !done) return tl::unexpected<Error>(done.error());
+  pass.program_.use();
+  setEmitted(pass.program_);
   pass.states_ = gl::Buffer::make();
   pass.states_texture_ = gl::Texture::make();
   return pass;
@@ -86,14 +89,14 @@ const PiecesPass::Loaded& PiecesPass::loaded(const std::shared_ptr<const Fragmen
   return out;
 }
 
-void PiecesPass::fill(const Frame& frame, std::size_t first, std::size_t count, const Fragments& pieces, const GroundLevel& ground) {
+void PiecesPass::fill(const Frame& frame, std::size_t first, std::size_t count, const LayerSpan& layer, const GroundLevel& ground) {
   scratch_.clear();
   const bool turned = frame.qw.size() >= frame.count, moving = frame.vx.size() >= frame.count;
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t i = first + n;
-    const Piece& piece = pieces.pieces[n];
+    const Piece& piece = layer.pieces->pieces[n];
     State state{{frame.x[i], frame.y[i], frame.z[i]}, piece.radius_m > 0.0 ? asFloat(static_cast<double>(frame.size[i]) / (2.0 * piece.radius_m)) : 0.0f,
-                {frame.r[i], frame.g[i], frame.b[i], frame.size[i] > 0.0f ? frame.a[i] : 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {}};
+                {frame.r[i], frame.g[i], frame.b[i], frame.size[i] > 0.0f ? frame.a[i] : 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {}, asFloat(temperatureAt(layer, frame, i))};
     if (turned) {
       const float q[4] = {frame.qx[i], frame.qy[i], frame.qz[i], frame.qw[i]};
       std::copy(q, q + 4, state.turn);
@@ -144,7 +147,7 @@ void PiecesPass::drawModels(const gl::Program& program, const Frame& frame, cons
   const std::size_t each = layer.pieces->pieces.size(), end = std::min(layer.first + layer.count, frame.count);
   for (std::size_t first = layer.first; first < end; first += each) {
     const std::size_t count = std::min(each, end - first);
-    fill(frame, first, count, *layer.pieces, ground);
+    fill(frame, first, count, layer, ground);
     upload();
     program.use();
     glBindVertexArray(model.attributes.name());
@@ -174,7 +177,7 @@ void PiecesPass::drawBlended(const View& view, const std::shared_ptr<const Fragm
   scratch_.clear();
   for (const BlendedInstance& instance : instances) {
     const Piece& piece = pieces->pieces[static_cast<std::size_t>(instance.kind)];
-    State state{{instance.x, instance.y, instance.z}, asFloat(static_cast<double>(instance.size) / (2.0 * piece.radius_m)), {instance.r, instance.g, instance.b, instance.a}, {}, {}};
+    State state{{instance.x, instance.y, instance.z}, asFloat(static_cast<double>(instance.size) / (2.0 * piece.radius_m)), {instance.r, instance.g, instance.b, instance.a}, {}, {}, instance.light.sunward};
     std::copy(instance.p, instance.p + 4, state.turn);
     state.place[1] += liftOf(piece, state, ground);
     scratch_.push_back(state);

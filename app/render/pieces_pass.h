@@ -14,6 +14,9 @@
 
 namespace npsee::render {
 
+/// Most vehicles of a mission that are drawn in pieces in one picture: the nearest.
+inline constexpr std::size_t kMostInPieces = 200;
+
 /// Models that have come apart: the pieces of one lie in one buffer and are drawn in one call, facets with the model's colours and dark
 /// where they were torn. A piece whose underside is in the ground is lifted onto it.
 class PiecesPass {
@@ -35,7 +38,7 @@ class PiecesPass {
     float place[3], scale;
     float colour[4];
     float turn[4];
-    float velocity[4];
+    float velocity[3], temperature;
   };
   struct Loaded {
     std::shared_ptr<const Fragments> pieces;  ///< held, so that its address names nothing else
@@ -45,7 +48,7 @@ class PiecesPass {
   };
   const Loaded& loaded(const std::shared_ptr<const Fragments>& pieces);
   /// The states of one model's pieces, from particle `first` on.
-  void fill(const Frame& frame, std::size_t first, std::size_t count, const Fragments& pieces, const GroundLevel& ground);
+  void fill(const Frame& frame, std::size_t first, std::size_t count, const LayerSpan& layer, const GroundLevel& ground);
   /// How far the piece is raised so that its underside is on the ground, m.
   static float liftOf(const Piece& piece, const State& state, const GroundLevel& ground);
   void upload();

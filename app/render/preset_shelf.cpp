@@ -1,6 +1,7 @@
 #include "app/render/preset_shelf.h"
 
 #include "app/render/shipped_assets.h"
+#include "sim/core/text.h"
 
 #include <algorithm>
 
@@ -18,21 +19,27 @@ std::shared_ptr<const Preset> shipped(std::string_view name) {
 
 }  // namespace
 
+Expected<std::shared_ptr<const Preset>> PresetShelf::lookUp(const std::string& name, const std::filesystem::path& folder) {
+  if (auto preset = shipped(name)) return preset;
+  std::error_code ignored;
+  if (const std::filesystem::path file = folder / name; std::filesystem::is_regular_file(file, ignored)) {
+    auto preset = loadPreset(file);
+    if (!preset) return tl::unexpected<Error>(preset.error());
+    return std::make_shared<const Preset>(std::move(*preset));
+  }
+  std::vector<std::string_view> names;
+  for (const ShippedAsset& asset : shippedPresets()) names.push_back(asset.name);
+  const auto meant = nearest(name, names);
+  return fail(ErrorKind::usage, "there is no explosion preset \"" + name + "\"." + (meant ? " Did you mean " + std::string(*meant) + "?" : ""),
+              "Shipped ones go by their file's name without .npsee.json, others by the path of their file.");
+}
+
 std::shared_ptr<const Preset> PresetShelf::find(const std::string& name, const std::filesystem::path& folder) {
   const std::string key = folder.string() + '\n' + name;
-  if (const auto found = read_.find(key); found != read_.end()) return found->second;
-  std::shared_ptr<const Preset> out;
-  std::error_code ignored;
-  const std::filesystem::path file = folder / name;
-  if (name.empty()) {
-    out = shipped(kFallback);
-  } else if (out = shipped(name); out == nullptr && std::filesystem::is_regular_file(file, ignored)) {
-    if (auto preset = loadPreset(file)) out = std::make_shared<const Preset>(std::move(*preset));
-    else warnings_.push_back(preset.error().text());
-  } else if (out == nullptr) {
-    warnings_.push_back("there is no explosion preset \"" + name + "\"; its bursts are drawn as " + std::string(kFallback) + ".");
-  }
-  if (out == nullptr) out = shipped(kFallback);
+  if (const auto known = read_.find(key); known != read_.end()) return known->second;
+  auto found = lookUp(name.empty() ? std::string(kFallback) : name, folder);
+  if (!found) warnings_.push_back((found.error().kind == ErrorKind::usage ? found.error().faults.front().what : found.error().text()) + " Its bursts are drawn as " + std::string(kFallback) + ".");
+  std::shared_ptr<const Preset> out = found ? std::move(*found) : shipped(kFallback);
   if (out == nullptr) out = std::make_shared<const Preset>();
   read_[key] = out;
   return out;

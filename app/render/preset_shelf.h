@@ -1,5 +1,6 @@
 #pragma once
 
+#include <npsee/error.h>
 #include <npsee/preset.h>
 #include <npsee/recording.h>
 
@@ -17,6 +18,9 @@ class PresetShelf {
   /// Never null: what cannot be read is drawn as the shipped `fallback`, with a warning.
   std::shared_ptr<const Preset> find(const std::string& name, const std::filesystem::path& folder);
   const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// The preset itself, or an error of kind usage that names the nearest shipped one, or of kind input for a file that cannot be read.
+  static Expected<std::shared_ptr<const Preset>> lookUp(const std::string& name, const std::filesystem::path& folder);
 
  private:
   std::map<std::string, std::shared_ptr<const Preset>> read_;

@@ -42,7 +42,7 @@ GroundLevel groundOf(const Scene& scene) {
   GroundLevel ground;
   ground.height_m = scene.ground_height_m;
   ground.solid = ground.fades = scene.background.kind == Background::Kind::sky;
-  ground.daylight = hourLight(scene.sky).daylight;
+  ground.hour = hourLight(scene.sky);
   ground.colour = {scene.ground_colour.r, scene.ground_colour.g, scene.ground_colour.b};
   return ground;
 }
@@ -86,9 +86,11 @@ struct Renderer::Impl {
 
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   /// What lies on the ground: burnt patches, shadows, light, blast fronts.
-  Expected<void> drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows);
-  Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
-  Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image);
+  Expected<void> drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground);
+  /// `singly`: to be finished in single precision.
+  Expected<void> draw(const Scene& scene, const View& view, Slot& slot, bool singly = false);
+  /// In bands of so many rows, each in `image` when it is handed over.
+  Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, int rows, Slot& slot, FloatImage& image, const TakeRows& take);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
   Expected<void> draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot);
   /// Draws the particles of a frame into the bound framebuffer, whose tiles are cleared: the target's effect, if pieces are to have several
@@ -123,11 +125,11 @@ void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot&
   slot.backdrop = wanted;
 }
 
-Expected<void> Renderer::Impl::drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows) {
+Expected<void> Renderer::Impl::drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground) {
+  if (auto drawn = effects.drawOutlines(frame, scene.layers, view, ground); !drawn) return drawn;
   if (auto drawn = effects.drawScorch(frame, scene.layers, view, ground); !drawn) return drawn;
   passed("scorch");
-  if (shadows)
-    if (auto drawn = effects.drawShadows(frame, scene.layers, view, ground); !drawn) return drawn;
+  if (auto drawn = effects.drawShadows(frame, scene.layers, view, ground); !drawn) return drawn;
   passed("shadow");
   if (auto drawn = effects.drawGlow(view, ground); !drawn) return drawn;
   passed("glow");
@@ -173,7 +175,7 @@ Expected<void> Renderer::Impl::drawAmongPieces(const Frame& frame, const Scene& 
 Expected<void> Renderer::Impl::drawParticles(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target* smooth) {
   effects.upload(frame, scene.layers);
   if (shadows)
-    if (auto drawn = drawOnGround(frame, scene, view, ground, hourLight(scene.sky).shadows); !drawn) return drawn;
+    if (auto drawn = drawOnGround(frame, scene, view, ground); !drawn) return drawn;
   pieces.pieces.clear();
   if (smooth != nullptr) findPieces(pieces, mask, frame, scene.layers, view, ground);
   if (!pieces.pieces.empty() && pieces.pieces.size() <= kMostSmooth) {
@@ -215,7 +217,7 @@ Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, 
   return {};
 }
 
-Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot) {
+Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot, bool singly) {
   const bool outdoors = scene.background.kind == Background::Kind::sky;
   const bool particles = scene.frame != nullptr && scene.frame->count > 0;
   const bool draft = scene.quality == Quality::draft;
@@ -233,12 +235,14 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   GroundLevel ground = groundOf(scene);
   if (particles) {
     ground.glow = glowOf(*scene.frame, scene.layers);
-    ground.glow.light_m2 = hourLight(scene.sky).exposure * ground.glow.light_m2;
+    ground.glow.light_m2 = ground.hour.exposure * ground.glow.light_m2;
     if (scene.quality != Quality::fine) markEffect(mask, *scene.frame, scene.layers, seen, ground, shadows);
     else
       for (int look = 0; look < FineFrames::kLooks; ++look) markEffect(mask, looks.frameOf(*scene.frame, scene.layers, look), scene.layers, seen, ground, shadows);
     if (scene.bloom && !draft) markSpread(scene, seen);
   }
+  // A draft that is enlarged in single precision is read between its pixels, beyond the tiles too.
+  if (draft && singly && particles) mask.markAll();
   tiles.upload(mask);
   if (!mask.empty())
     if (auto drawn = drawEffect(scene, seen, ground, shadows, target); !drawn) return drawn;
@@ -250,30 +254,32 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   return drawnWithoutError();
 }
 
-Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, const FloatRequest& request, Slot& slot, FloatImage& image) {
-  const bool outdoors = scene.background.kind == Background::Kind::sky;
-  image.width = slot.target.width();
-  image.height = slot.target.height();
-  image.rgba.clear();
-  if (request.colour) {
-    // Single precision is for pictures that are kept: it has no drafts.
-    Scene whole = scene;
-    if (scene.quality == Quality::draft) whole.quality = Quality::normal, whole.bloom = false;
-    if (auto drawn = draw(whole, view, slot); !drawn) return drawn;
+Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, const FloatRequest& request, int rows, Slot& slot, FloatImage& image, const TakeRows& take) {
+  if (request.colour)
+    if (auto drawn = draw(scene, view, slot, true); !drawn) return drawn;
+  if (request.colour)
     if (auto made = makeOnce(deep); !made) return made;
-    // `mask` still marks the effect's tiles.
-    const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
-    if (auto finished = deep->run(slot.target, mask, outdoors, plain, request.linear, spread, image); !finished) return finished;
-  }
-  image.depth.clear();
-  image.motion.clear();
-  if (!request.depth && !request.motion) return drawnWithoutError();
-  if (auto made = makeOnce(surfaces); !made) return made;
+  if (request.depth || request.motion)
+    if (auto made = makeOnce(surfaces); !made) return made;
+  // `mask` still marks the effect's tiles.
+  const DeepParts parts{mask, scene.background.kind == Background::Kind::sky, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr, request.linear, spread};
   const Frame* frame = scene.frame != nullptr && scene.frame->count > 0 ? scene.frame : nullptr;
-  if (frame != nullptr) effects.upload(*frame, scene.layers);
   const GroundLevel ground = groundOf(scene);
-  if (auto drawn = surfaces->run(effects, frame, scene.layers, view, ground, image.width, image.height, request, image); !drawn) return drawn;
-  return drawnWithoutError();
+  const int width = slot.target.width(), height = slot.target.height();
+  if (frame != nullptr && (request.depth || request.motion)) effects.upload(*frame, scene.layers);
+  for (int first = 0; first < height; first += rows) {
+    const RowBand band{first, std::min(rows, height - first), height};
+    image.rgba.clear();
+    image.depth.clear();
+    image.motion.clear();
+    if (request.colour)
+      if (auto finished = deep->run(slot.target, parts, band, image); !finished) return finished;
+    if (request.depth || request.motion)
+      if (auto drawn = surfaces->run(effects, frame, scene.layers, view, ground, width, band, request, image); !drawn) return drawn;
+    if (auto drawn = drawnWithoutError(); !drawn) return drawn;
+    if (auto taken = take(first, image); !taken) return taken;
+  }
+  return {};
 }
 
 Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
@@ -293,12 +299,27 @@ Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
 
 Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& recording, double time_s, const MissionView& view, Slot& slot) {
   Target& target = slot.target;
-  if (auto begun = target.beginEffect(view.smooth); !begun) return begun;
-  mask.reset(target.width(), target.height());
+  const int width = target.width(), height = target.height();
+  const bool draft = view.quality == Quality::draft, fine = view.quality == Quality::fine;
+  effects.setDetail(!draft);
+  mask.reset(width, height);
   mask.markAll();
   tiles.upload(mask);
-  bright.reset(target.width(), target.height());
-  if (auto drawn = scene.draw(effects, recording, time_s, view, target.width(), target.height(), bright); !drawn) return drawn;
+  bright.reset(width, height);
+  if (fine) {
+    if (auto bound = target.bindSum(); !bound) return bound;
+    finish.clear(tiles);
+  }
+  for (int look = 0; look < (fine ? FineFrames::kLooks : 1); ++look) {
+    if (auto begun = draft ? target.beginDraft() : target.beginEffect(!fine && view.smooth); !begun) return begun;
+    const auto [x, y] = fine ? FineFrames::asideOf(look, width, height) : std::array<double, 2>{};
+    const double at_s = fine ? std::max(time_s + FineFrames::timeOf(look), 0.0) : time_s;
+    if (auto drawn = scene.draw(effects, recording, at_s, view, width, height, {draft ? target.draftWidth() : width, draft ? target.draftHeight() : height, x, y}, bright); !drawn) return drawn;
+    if (!fine) break;
+    if (auto bound = target.bindSum(); !bound) return bound;
+    if (auto added = finish.add(target, tiles, 1.0 / FineFrames::kLooks); !added) return added;
+  }
+  if (draft) bright.reset(width, height);
   if (auto done = spreadLight(target); !done) return done;
   if (auto finished = finish.drawMission(target, tiles, spread); !finished) return finished;
   return drawnWithoutError();
@@ -354,7 +375,16 @@ Expected<Image> Renderer::drawToImage(const Scene& scene, const Camera& camera, 
 Expected<void> Renderer::drawToFloats(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, FloatImage& image) {
   const auto sized = impl_->sized(0, width, height);
   if (!sized) return tl::unexpected<Error>(sized.error());
-  return impl_->drawFloats(scene, makeView(camera, width, height), request, **sized, image);
+  return impl_->drawFloats(scene, makeView(camera, width, height), request, height, **sized, image, [](int, FloatImage&) { return Expected<void>(); });
+}
+
+Expected<void> Renderer::drawToRows(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, const TakeRows& take, int rows) {
+  const auto sized = impl_->sized(0, width, height);
+  if (!sized) return tl::unexpected<Error>(sized.error());
+  constexpr int kBandPixels = 1 << 20, kStep = 16;
+  const int wanted = rows > 0 ? rows : kBandPixels / width;
+  FloatImage image;
+  return impl_->drawFloats(scene, makeView(camera, width, height), request, std::max(wanted / kStep, 1) * kStep, **sized, image, take);
 }
 
 Expected<Image> Renderer::drawToImage(const TemplateScene& scene, int width, int height) {

@@ -10,6 +10,7 @@
 #include <npsee/explosion.h>
 #include <npsee/preset.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -63,6 +64,13 @@ struct TemplateScene {
 /// Textures that a renderer keeps apart.
 inline constexpr int kPictureSlots = 16;
 
+/// Takes rows of a picture in single precision, which may be moved away: `band` is as wide as the picture and holds its rows from `first`, counted
+/// from the top, as many as it is high. Bands come from the top down, each a multiple of 16 rows but the last.
+using TakeRows = std::function<Expected<void>(int first, FloatImage& band)>;
+
+/// Pixels up to which a picture in single precision is worth being held whole.
+inline constexpr std::int64_t kMostWholeFloats = 2'500'000;
+
 /// Draws scenes into framebuffer objects of its own, with GL 3.3 core only. One instance per context; all calls on the
 /// context's thread with the context current. The same code serves windows and headless rendering.
 class Renderer {
@@ -84,6 +92,10 @@ class Renderer {
 
   /// Draws in single precision, with the passes requested; the memory of `image` is used again.
   Expected<void> drawToFloats(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, FloatImage& image);
+
+  /// The same in bands of so many rows (0 = as many as make about a million pixels), so that memory does not grow by what single precision
+  /// takes. Bands show the same as the whole, depth and motion but for rounding.
+  Expected<void> drawToRows(const Scene& scene, const Camera& camera, int width, int height, const FloatRequest& request, const TakeRows& take, int rows = 0);
 
   /// Calls back after each pass of a scene's picture, with the driver's work done: for measuring. Empty = no longer.
   void watchPasses(std::function<void(std::string_view pass)> watch);

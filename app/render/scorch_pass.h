@@ -10,7 +10,8 @@ namespace npsee::render {
 class ScorchPass {
  public:
   static Expected<ScorchPass> create();
-  void draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground) const;
+  /// `under`: under what is drawn already, such as the outlines of shadows.
+  void draw(const View& view, const FrameUpload& particles, std::size_t first, std::size_t count, const GroundLevel& ground, bool under) const;
 
  private:
   gl::Program program_;

@@ -16,7 +16,7 @@ Expected<SmokeShadowPass> SmokeShadowPass::create() {
   return pass;
 }
 
-void SmokeShadowPass::draw(const View& view, const GroundLevel& ground, const Vec3& towards_sun, const SmokeShadowMap& map) const {
+void SmokeShadowPass::draw(const View& view, const GroundLevel& ground, const Vec3& towards_sun, double share, const SmokeShadowMap& map) const {
   layOnGround(program_, view, ground);
   const double flat = std::sqrt(towards_sun.x * towards_sun.x + towards_sun.z * towards_sun.z);
   const double x = flat > 1e-9 ? -towards_sun.x / flat : 1.0, z = flat > 1e-9 ? -towards_sun.z / flat : 0.0;
@@ -24,6 +24,7 @@ void SmokeShadowPass::draw(const View& view, const GroundLevel& ground, const Ve
   program_.set("u_origin", static_cast<float>(map.origin_u), static_cast<float>(map.origin_v));
   program_.set("u_extent", static_cast<float>(map.columns * map.cell_m), static_cast<float>(map.rows * map.cell_m));
   program_.set("u_map", 0);
+  program_.set("u_share", static_cast<float>(share));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, map_.name());
   glBindSampler(0, 0);

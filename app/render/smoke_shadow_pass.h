@@ -10,7 +10,8 @@ namespace npsee::render {
 class SmokeShadowPass {
  public:
   static Expected<SmokeShadowPass> create();
-  void draw(const View& view, const GroundLevel& ground, const Vec3& towards_sun, const SmokeShadowMap& map) const;
+  /// `share` is that of the sun or the moon in the ground's light, beside the day's.
+  void draw(const View& view, const GroundLevel& ground, const Vec3& towards_sun, double share, const SmokeShadowMap& map) const;
 
  private:
   gl::Program program_;

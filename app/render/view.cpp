@@ -48,7 +48,15 @@ View makeView(const Lens& lens, int width, int height) {
   view.ray_x = view.metre_per_pixel * view.right;
   view.ray_y = view.metre_per_pixel * view.up;
   view.ray_origin = -0.5 * width * view.ray_x + (-0.5 * height) * view.ray_y - view.back;
-  const Rows rows = perspective(view, tan_x, tan_y, lens.near_m, lens.far_m);
+  Rows rows = perspective(view, tan_x, tan_y, lens.near_m, lens.far_m);
+  if (lens.aside_x != 0.0 || lens.aside_y != 0.0) {
+    // A place on the picture is clip.xy / clip.w: moving it aside adds a share of the last row.
+    for (int column = 0; column < 4; ++column) {
+      rows.m[0][column] += lens.aside_x * rows.m[3][column];
+      rows.m[1][column] += lens.aside_y * rows.m[3][column];
+    }
+    view.ray_origin = view.ray_origin - (0.5 * width * lens.aside_x) * view.ray_x - (0.5 * height * lens.aside_y) * view.ray_y;
+  }
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) view.view_projection[4 * column + row] = static_cast<float>(rows.m[row][column]);
   return view;
@@ -94,7 +102,8 @@ void setGround(const gl::Program& program, const View& view, const GroundLevel& 
   program.set("u_slope", static_cast<float>(ground.slope_x), static_cast<float>(ground.slope_z));
   program.set("u_clip", static_cast<float>(side), static_cast<float>(ground.height_m));
   program.set("u_fade", ground.fades ? 1.0f : 0.0f);
-  setVec3(program, "u_daylight", ground.daylight);
+  setVec3(program, "u_daylight", ground.hour.daylight);
+  setKey(program, ground.hour.towards_key, ground.hour.key);
   program.set("u_dimmed", static_cast<float>(ground.dimmed));
   program.set("u_haze_extinction", static_cast<float>(ground.extinction_per_m));
   setVec3(program, "u_haze_colour", ground.haze);

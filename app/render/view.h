@@ -25,6 +25,7 @@ struct Lens {
   Vec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, back{0.0, 0.0, 1.0};  ///< unit vectors; back is towards the eye
   double fov_y_rad = 0.7;
   double near_m = 0.5, far_m = 4e5;
+  double aside_x = 0.0, aside_y = 0.0;  ///< what is seen moves to the right and up by this share of half the picture
   friend bool operator==(const Lens&, const Lens&) = default;
 };
 View makeView(const Lens& lens, int width, int height);

@@ -25,7 +25,7 @@ class Projector {
   double nearest() const { return 1.01 * eye_.lens.near_m; }
   StrokePoint point(const Seen& s) const {
     const double n = eye_.lens.near_m, f = eye_.lens.far_m;
-    return {0.5 * eye_.width + scale_ * s.right / s.depth, 0.5 * eye_.height - scale_ * s.up / s.depth, ((f + n) * s.depth - 2.0 * f * n) / (f - n), s.depth};
+    return {0.5 * eye_.width * (1.0 + eye_.lens.aside_x) + scale_ * s.right / s.depth, 0.5 * eye_.height * (1.0 - eye_.lens.aside_y) - scale_ * s.up / s.depth, ((f + n) * s.depth - 2.0 * f * n) / (f - n), s.depth};
   }
 
  private:

@@ -1,4 +1,5 @@
-#include "app/render/image.h"
+#include "app/render/deep_image.h"
+#include "app/render/image_compare.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,31 @@ TEST(MissionPictures, APictureIsDrawnOfAMissionAndTheSameOneOfItsRecording) {
   EXPECT_EQ(test::slurp(folder / "a.png"), test::slurp(folder / "b.png"));
 }
 
+TEST(MissionPictures, QualityIsThatOfPresets) {
+  const test::TemporaryFolder folder;
+  const std::string view = "t=13,camera=orbit,size=320x180";
+  const auto draw = [&](const std::string& quality) {
+    std::vector<std::string> words{"--render", view, "-o", folder / (quality + ".png"), "--record", folder / "run.jsonl"};
+    if (quality != "none") words.insert(words.end(), {"--quality", quality});
+    const auto made = drawn(words);
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    auto image = render::readPng(folder / (quality + ".png"));
+    EXPECT_TRUE(image);
+    return render::deepened(image ? *image : render::Image{});
+  };
+  const auto none = draw("none"), normal = draw("normal"), draft = draw("draft"), fine = draw("fine");
+  EXPECT_EQ(none.rgba, normal.rgba);
+  for (const auto* other : {&draft, &fine}) {
+    const auto d = render::compareImages(normal, *other);
+    EXPECT_GT(d.ssim, 0.7);
+    EXPECT_LT(d.mean, 6.0);
+    EXPECT_GT(d.max, 0.0) << "it is another picture";
+  }
+  const auto replayed = npseeRun({"replay", folder / "run.jsonl", "--render", view, "--quality", "draft", "-o", folder / "again.png"});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_EQ(test::slurp(folder / "again.png"), test::slurp(folder / "draft.png"));
+}
+
 TEST(MissionPictures, SeveralViewsAreNumberedOrCarryTheirOwnNames) {
   const test::TemporaryFolder folder;
   const auto made = drawn({"--render", "t=1,size=64x48", "--render", "t=2,size=64x48,camera=plan", "--render", "t=3,size=64x48,out=" + (folder / "own.png"), "-o", folder / "v_%d.png"});
@@ -60,6 +86,8 @@ TEST(MissionPictures, MistakesAreToldBeforeAnythingIsSimulated) {
       {{"--render", "camera=obsrver", "-o", folder / "a.png"}, 2, "Did you mean observer?"},
       {{"--render", "t=3"}, 2, "there is no name for the picture"},
       {{"-o", folder / "a.png"}, 2, "names a picture, and none is asked for"},
+      {{"--quality", "fine"}, 2, "is that of a picture, and none is asked for"},
+      {{"--quality", "good", "--render", "t=3", "-o", folder / "a.png"}, 2, "draft, normal or fine"},
       {{"--render", "t=3", "--render", "t=4", "--frames", "0:1", "-o", folder / "a.png"}, 2, "a sequence of one view"},
       {{"--render", "camera=gun:gun9", "-o", folder / "a.png"}, 2, "there is no gun \"gun9\""},
       {{"--render", "t=3", "--monte-carlo", "3", "-o", folder / "a.png"}, 2, "draws no pictures"},

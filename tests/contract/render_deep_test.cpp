@@ -2,6 +2,7 @@
 #include "app/render/camera.h"
 #include "app/render/deep_image.h"
 #include "app/render/exr.h"
+#include "app/render/image_compare.h"
 #include "tests/support/render_command.h"
 
 #include <npsee/vec3.h>
@@ -73,15 +74,22 @@ class RenderDeep : public test::RenderFixture {
 double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 TEST_F(RenderDeep, SixteenBitsAreTheEightBitPictureMoreFinely) {
-  for (const char* background : {"sky", "transparent", "white", "#306090"}) {
-    const auto deep = png(preset("small"), {"--time", "0.4", "--bits", "16", "--background", background});
-    const auto plain = png(preset("small"), {"--time", "0.4", "--background", background});
+  for (const char* background : {"sky", "transparent", "white", "#306090", "draft"}) {
+    Words words{"--time", "0.4", "--background", background};
+    if (std::string_view(background) == "draft") words = {"--time", "0.4", "--quality", "draft"};
+    const auto plain = png(preset("small"), words);
+    words.insert(words.end(), {"--bits", "16"});
+    const auto deep = png(preset("small"), words);
     EXPECT_EQ(deep.bits, 16);
     EXPECT_EQ(deep.alpha, plain.alpha) << background;
     ASSERT_EQ(deep.rgba.size(), plain.rgba.size());
     double worst = 0.0;
     for (std::size_t i = 0; i < deep.rgba.size(); ++i) worst = std::max(worst, std::abs(deep.rgba[i] - plain.rgba[i]) / 257.0);
-    EXPECT_LE(worst, 0.52) << background << ": half a level, and the rounding of the deeper picture";
+    if (std::string_view(background) == "draft") {
+      EXPECT_GT(render::compareImages(plain, deep).ssim, 0.95) << "enlarged before it is finished, and after";
+    } else {
+      EXPECT_LE(worst, 0.52) << background << ": half a level, and the rounding of the deeper picture";
+    }
   }
 }
 
@@ -364,6 +372,47 @@ TEST_F(RenderDeep, ResumeAndVerifyKnowWholeFilesFromDamagedAndForeignOnes) {
       expect(run({"--verify", "--pass", "depth"}), 2, {}, {"--pass"});
     }
   }
+}
+
+TEST_F(RenderDeep, LargePicturesAreWrittenInBandsAndAreTheSameAsSmallOnes) {
+  // Just above what is held whole.
+  const Words words{preset("small"), "--time", "0.4", "--size", "1601x1565", "--background", "transparent"};
+  const auto run = [&](const std::string& name, Words more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    more.insert(more.end(), {"-o", folder_ / name});
+    return render(more);
+  };
+  EXPECT_EQ(run("plain.png", {}).exit_code, 0);
+  EXPECT_EQ(run("deep.png", {"--bits", "16"}).exit_code, 0);
+  EXPECT_EQ(run("all.exr", {"--pass", "colour,depth,motion"}).exit_code, 0);
+  const auto plain = render::readDeepPng(folder_ / "plain.png"), deep = render::readDeepPng(folder_ / "deep.png");
+  ASSERT_TRUE(plain && deep);
+  EXPECT_EQ(deep->bits, 16);
+  ASSERT_EQ(deep->rgba.size(), plain->rgba.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < deep->rgba.size(); ++i) worst = std::max(worst, std::abs(deep->rgba[i] - plain->rgba[i]) / 257.0);
+  EXPECT_LE(worst, 0.52);
+  const auto picture = render::parseExr(test::slurp(folder_ / "all.exr"), "all.exr");
+  ASSERT_TRUE(picture) << picture.error().text();
+  EXPECT_EQ(picture->image.height, 1565);
+  // Depth is where cover is, in every band.
+  std::size_t covered = 0, deep_enough = 0;
+  for (std::size_t i = 0; i < picture->image.depth.size(); ++i) {
+    if (picture->image.rgba[4 * i + 3] < 0.99f) continue;
+    ++covered;
+    deep_enough += std::isfinite(picture->image.depth[i]);
+  }
+  EXPECT_GT(covered, 1000u);
+  EXPECT_GT(static_cast<double>(deep_enough), 0.99 * static_cast<double>(covered));
+  // Whole files are known again, cut ones are not, and a device is no place for what is put together.
+  EXPECT_EQ(run("all.exr", {"--pass", "colour,depth,motion", "--verify"}).exit_code, 0);
+  EXPECT_EQ(run("deep.png", {"--bits", "16", "--verify"}).exit_code, 0);
+  const std::string whole = test::slurp(folder_ / "all.exr");
+  test::spill(folder_ / "all.exr", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(run("all.exr", {"--pass", "colour,depth,motion", "--verify"}).exit_code, 1);
+  const auto device = render({preset("small"), "--size", "1601x1565", "--bits", "16", "-o", "/dev/full"});
+  EXPECT_EQ(device.exit_code, 5);
+  EXPECT_NE(device.err.find("regular file"), std::string::npos) << device.err;
 }
 
 TEST_F(RenderDeep, WhatCannotBeMeantExitsTwo) {

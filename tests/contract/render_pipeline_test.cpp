@@ -94,6 +94,33 @@ TEST_F(RenderPipeline, ResumeNeedsNoGraphicsWhereNothingIsLeft) {
   EXPECT_EQ(render({preset("small"), "--size", "64x36", "-o", folder_ / "a.png"}, {{"NPSEE_OSMESA", "libNone.so"}}).exit_code, 4);
 }
 
+TEST_F(RenderPipeline, FramesOfTwoBuildsAreNotMixedUnlessThatIsAskedFor) {
+  const auto result = small({"-o", folder_ / "a.png", "--summary", "json"});
+  const std::string build = nlohmann::json::parse(result.out)["build"];
+  ASSERT_GE(build.size(), 16u);
+  // Another build: the same program, but for the identifier in it.
+  std::string program = test::slurp(test::npseePath()), id;
+  for (std::size_t i = 0; i + 1 < build.size(); i += 2) id += static_cast<char>(std::stoi(build.substr(i, 2), nullptr, 16));
+  const std::size_t at = program.find(id);
+  ASSERT_NE(at, std::string::npos);
+  program[at] = static_cast<char>(program[at] ^ 1);
+  const std::string other = folder_ / "other_build";
+  test::spill(other, program);
+  fs::permissions(other, fs::perms::owner_all);
+  const auto run = [&](Words more) {
+    more.insert(more.begin(), {"render", preset("small"), "--size", "64x36", "-o", folder_ / "a.png"});
+    return test::run(other, more);
+  };
+  const auto verified = run({"--verify"});
+  EXPECT_EQ(verified.exit_code, 1) << verified.err;
+  EXPECT_NE(verified.out.find("a.png"), std::string::npos);
+  expect(run({"--verify", "--any-build"}), 0, {});
+  EXPECT_EQ(run({"--resume", "--any-build"}).out, "");
+  EXPECT_EQ(lines(run({"--resume"}).out), 1u) << "drawn anew";
+  EXPECT_EQ(small({"-o", folder_ / "a.png", "--verify"}).exit_code, 1) << "now it is the other's";
+  expect(small({"-o", folder_ / "a.png", "--any-build"}), 2, {}, {"--resume or --verify"});
+}
+
 TEST_F(RenderPipeline, EveryOptionThatChangesThePictureChangesItsRecipe) {
   const auto recipe = [&](Words words) {
     words.insert(words.end(), {"-o", folder_ / "a.png", "--dry-run", "--summary", "json"});

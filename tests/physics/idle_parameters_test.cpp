@@ -47,7 +47,7 @@ Value anotherValue(const Parameter& row, const Value& now, std::mt19937_64& rand
 
 /// What hot layers glow by, which is not in the frames.
 bool sameHeat(const Explosion& a, const Explosion& b) {
-  return std::ranges::equal(a.layers(), b.layers(), [](const LayerSpan& p, const LayerSpan& q) { return p.form == Form::pieces || (p.temperature_k == q.temperature_k && (p.temperature_k == 0.0 || p.cooling_s == q.cooling_s)); });
+  return std::ranges::equal(a.layers(), b.layers(), [](const LayerSpan& p, const LayerSpan& q) { return p.temperature_k == q.temperature_k && (p.temperature_k == 0.0 || p.cooling_s == q.cooling_s); });
 }
 
 bool sameFrames(const Explosion& a, const Explosion& b) {

@@ -87,6 +87,32 @@ TEST_F(Blooming, MovesLightAndMakesNone) {
   EXPECT_NEAR(sums[1], sums[0], 0.04 * sums[0]);
 }
 
+TEST_F(Blooming, WhatDoesNotSpreadKeepsItsLightWhileSomethingElseDoes) {
+  // A white ball in the sun is brighter than a picture can show, and no light of its own; the flash is farther off than light spreads.
+  test::HandMade made;
+  made.add(Form::sphere, {-30.0, 20.0, 0.0}, 8.0, {1.0, 1.0, 1.0});
+  made.add(Form::flash, {32.0, 20.0, 0.0}, 3.0, {1.0, 0.9, 0.8});
+  const Image without = draw(made, false), with = draw(made, true);
+  EXPECT_NE(with.rgba, without.rgba) << "the flash blooms";
+  int bright = 0;
+  for (int y = 60; y < 120; ++y)
+    for (int x = 15; x < 70; ++x) {
+      bright += without.pixel(x, y)[0] > 235;
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(with.pixel(x, y)[c], without.pixel(x, y)[c]) << x << ", " << y;
+    }
+  EXPECT_GT(bright, 50);
+}
+
+TEST_F(Blooming, APieceThatGlowsSpreadsItsLight) {
+  test::HandMade made;
+  made.add(Form::sphere, {0.0, 20.0, 0.0}, 6.0, {0.2, 0.2, 0.2});
+  made.frame.age.assign(made.frame.count, 0.0f);
+  EXPECT_EQ(draw(made, true).rgba, draw(made, false).rgba) << "cold";
+  made.layers.back().temperature_k = 1900.0;
+  const Image without = draw(made, false), with = draw(made, true);
+  EXPECT_GT(with.pixel(160 + 15, 90)[0], without.pixel(160 + 15, 90)[0]) << "beside it";
+}
+
 TEST_F(Blooming, WithoutBrightLightNothingChangesToTheLastBit) {
   test::HandMade made;
   made.add(Form::smoke, {0.0, 20.0, 0.0}, 12.0, {0.9, 0.9, 0.9});

@@ -179,6 +179,54 @@ TEST_F(GroundForms, ItGetsDarkerByTheHour) {
   }
 }
 
+TEST_F(GroundForms, ShadowsLieWhereTheHoursSunOrMoonThrowsThemAndAreLongAtDusk) {
+  test::HandMade made, none;
+  made.add(Form::sphere, {0.0, 1.5, 0.0}, 2.4, {0.8, 0.8, 0.8});
+  // Places on the ground behind the sphere, seen from the light: -k / k.y times the height of its middle.
+  const struct {
+    Sky sky;
+    Vec3 towards;
+  } hours[] = {{Sky::day, {-0.5263, 0.7105, 0.4671}}, {Sky::dusk, {-0.7341, 0.1908, 0.6516}}, {Sky::night, {0.5150, 0.6018, 0.6104}}};
+  int dark[3] = {};
+  for (std::size_t hour = 0; hour < 3; ++hour) {
+    const Image with = draw(made, kAbove, hours[hour].sky), without = draw(none, kAbove, hours[hour].sky);
+    for (const auto& other : hours) {
+      const double x = -1.5 * other.towards.x / other.towards.y, z = -1.5 * other.towards.z / other.towards.y;
+      const bool own = other.sky == hours[hour].sky;
+      // Close to the sphere it hides the ground, or the long shadow of dusk begins.
+      const bool apart = other.sky != Sky::day || hours[hour].sky == Sky::night;
+      if (own) {
+        EXPECT_LT(at(with, x, z), at(without, x, z) * 85 / 100) << hour;
+      } else if (apart) {
+        EXPECT_EQ(at(with, x, z), at(without, x, z)) << hour;
+      }
+    }
+    for (int y = 0; y < 180; ++y)
+      for (int x = 0; x < 320; ++x) dark[hour] += brightness(with, x, y) < brightness(without, x, y) - 1;
+  }
+  EXPECT_GT(dark[1], 2 * dark[0]) << "a low sun throws long shadows";
+}
+
+TEST_F(GroundForms, ThePieceIsLitFromWhereTheHoursLightStands) {
+  test::HandMade made;
+  made.add(Form::sphere, {0.0, 3.0, 0.0}, 6.0, {0.8, 0.8, 0.8});
+  const int off = static_cast<int>(2.2 / kPixel_m);
+  for (const Sky sky : {Sky::day, Sky::dusk, Sky::night}) {
+    const Image image = draw(made, kSide, sky);
+    // Looking north: the sun in the south-west is on the left, the moon in the south-east on the right.
+    const int left = brightness(image, 160 - off, 90), right = brightness(image, 160 + off, 90);
+    if (sky == Sky::night) {
+      EXPECT_GT(right, left + 10);
+    } else {
+      EXPECT_GT(left, right + 60);
+    }
+  }
+  // A low sun is red.
+  const Image dusk = draw(made, kSide, Sky::dusk);
+  const std::uint8_t* lit = dusk.pixel(160 - off, 90);
+  EXPECT_GT(lit[0], lit[2] + 40);
+}
+
 TEST_F(GroundForms, AtNightWhatShinesLightsTheGroundFarMoreThanTheHourDoes) {
   test::HandMade made, none;
   made.add(Form::flash, {0.0, 4.0, 0.0}, 6.0, {1.0, 0.9, 0.7});

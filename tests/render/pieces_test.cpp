@@ -97,6 +97,24 @@ TEST_F(PiecesRendering, TheModelsOwnColoursAndTheLayersAreSeen) {
   EXPECT_GT(others, 300) << "canvas and rubber have their own";
 }
 
+TEST_F(PiecesRendering, HotPiecesGlowAndCool) {
+  for (const double opacity : {1.0, 0.9}) {
+    Preset preset = apart("tank", 40);
+    preset.layers[0].opacity = opacity;
+    const auto red = [&](double temperature_k, double t) {
+      preset.layers[0].temperature_k = temperature_k;
+      preset.layers[0].cooling_s = 1.0;
+      const Image image = draw(preset, t, Background::Kind::transparent);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i + 3] > 40 ? image.rgba[i] - image.rgba[i + 2] : 0;
+      return sum / std::max(covered(image), 1);
+    };
+    const double cold = red(0.0, 1.2), hot = red(1400.0, 1.2), late = red(1400.0, 9.0), late_cold = red(0.0, 9.0);
+    EXPECT_GT(hot, cold + 60.0) << opacity;
+    EXPECT_LT(late, late_cold + 10.0) << opacity << ": 770 K show no more by day";
+  }
+}
+
 TEST_F(PiecesRendering, BlendedPiecesCoverWhatOpaqueOnesCover) {
   Preset faint = apart("tank", 40);
   const int opaque = covered(draw(faint, 1.6, Background::Kind::transparent));
@@ -131,6 +149,36 @@ TEST_F(PiecesRendering, TheShadowOfTheWholeIsDarkAndEven) {
     }
   EXPECT_GT(dark, 300);
   EXPECT_GT(darkest, 0.4) << "sixty shadows on one another are as dark as one";
+}
+
+TEST_F(PiecesRendering, TheirShadowLiesOnBurntGroundToo) {
+  Preset preset = apart("block", 60);
+  preset.layers[0].region_offset_m = {0.0, 4.0, 0.0};
+  preset.layers[0].pieces_scale = 4.0;
+  preset.layers.emplace_back();
+  Layer& burnt = preset.layers[1];
+  burnt.name = "burnt";
+  burnt.form = Form::scorch;
+  burnt.count = 1;
+  burnt.region_shape = RegionShape::point;
+  burnt.size_mean_m = 60.0;
+  burnt.size_deviation_m = 0.0;
+  burnt.lifetime_mean_s = 30.0;
+  burnt.lifetime_deviation_s = 0.0;
+  burnt.colour = {0.3, 0.28, 0.26};
+  burnt.opacity = 0.95;
+  Preset bare = preset;
+  bare.layers.erase(bare.layers.begin());
+  Camera above;
+  above.eye = {0.0, 40.0, 0.01};
+  above.target = {0.0, 0.0, 0.0};
+  const auto with = still(preset, 0.2), without = still(bare, 0.2);
+  const auto shaded = renderer_->drawToImage(with->scene, above, 320, 200), lit = renderer_->drawToImage(without->scene, above, 320, 200);
+  ASSERT_TRUE(shaded && lit);
+  int dark = 0;
+  for (int y = 0; y < 95; ++y)
+    for (int x = 176; x < 320; ++x) dark += test::brightness(shaded->pixel(x, y)) < 0.85 * test::brightness(lit->pixel(x, y));
+  EXPECT_GT(dark, 300);
 }
 
 TEST_F(PiecesRendering, DepthAndMotionAreThoseOfThePieces) {

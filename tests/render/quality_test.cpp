@@ -129,6 +129,50 @@ TEST_F(Qualities, FineBlursAPieceAlongItsWayAsFarAsTheShutterIsOpen) {
   }
 }
 
+TEST_F(Qualities, BandsOfRowsShowTheSameAsTheWholePicture) {
+  auto made = burst();
+  made.addDome(Form::flash, 3, 4.0, 5.0, {1.0, 0.9, 0.7});
+  Camera camera;
+  camera.eye = {0.0, 12.0, 60.0};
+  camera.target = {0.0, 10.0, 0.0};
+  for (const Quality quality : {Quality::draft, Quality::normal}) {
+    Scene scene;
+    scene.frame = &made.frame;
+    scene.layers = made.layers;
+    scene.quality = quality;
+    for (const bool linear : {false, true}) {
+      const FloatRequest request{.linear = linear, .depth = true, .motion = true};
+      FloatImage whole, rows;
+      ASSERT_TRUE(renderer_->drawToFloats(scene, camera, 321, 181, request, whole));
+      int next = 0;
+      ASSERT_TRUE(renderer_->drawToRows(scene, camera, 321, 181, request, [&](int first, FloatImage& band) {
+        EXPECT_EQ(first, next);
+        EXPECT_EQ(band.width, 321);
+        next += band.height;
+        for (const auto& [from, to] : {std::pair(&band.rgba, &rows.rgba), std::pair(&band.depth, &rows.depth), std::pair(&band.motion, &rows.motion)}) to->insert(to->end(), from->begin(), from->end());
+        return Expected<void>();
+      }, 48));
+      EXPECT_EQ(next, 181);
+      EXPECT_EQ(rows.rgba, whole.rgba);
+      ASSERT_EQ(rows.depth.size(), whole.depth.size());
+      ASSERT_EQ(rows.motion.size(), whole.motion.size());
+      // At a rim rounding may give a pixel to what lies behind; towards the horizon the ground's depth goes up steeply.
+      std::size_t other = 0;
+      for (std::size_t i = 0; i < rows.depth.size(); ++i) other += !(rows.depth[i] == whole.depth[i] || std::abs(rows.depth[i] - whole.depth[i]) < 0.001f * whole.depth[i]);
+      for (std::size_t i = 0; i < rows.motion.size(); ++i) other += std::abs(rows.motion[i] - whole.motion[i]) > 0.01f;
+      EXPECT_LT(other, 20u);
+    }
+  }
+}
+
+TEST_F(Qualities, AnErrorOfWhoTakesTheRowsEndsThePicture) {
+  int bands = 0;
+  const auto drawn = renderer_->drawToRows({}, {}, 64, 64, {}, [&](int, FloatImage&) -> Expected<void> { ++bands; return fail(ErrorKind::output, "no room"); }, 16);
+  ASSERT_FALSE(drawn);
+  EXPECT_EQ(drawn.error().kind, ErrorKind::output);
+  EXPECT_EQ(bands, 1);
+}
+
 TEST_F(Qualities, PassesAreToldInOrder) {
   std::vector<std::string> told;
   renderer_->watchPasses([&](std::string_view pass) { told.emplace_back(pass); });
