@@ -92,7 +92,7 @@ class Resolver {
     if (!o_.aero.empty()) aero();
     constantCurve("--cd", o_.cd, Coefficient::cd0);
     constantCurve("--cspin", o_.cspin, Coefficient::cspin);
-    Factors unused;
+    std::optional<Factors> unused;
     const std::pair<const char*, const std::string&> constants[] = {{"mass", o_.mass}, {"diameter", o_.diameter}, {"inertia", o_.inertia}, {"twist", o_.twist}};
     for (const auto& [key, text] : constants) {
       if (text.empty() || failed_) continue;
@@ -178,14 +178,13 @@ class Resolver {
   }
 
   void settings() {
+    std::optional<Factors> by_hand;
     for (const std::string& setting : o_.settings) {
       if (failed_) return;
-      const Factors before = f_.factors;
-      if (auto set = applyProjectileSetting(f_.projectile, f_.factors, setting); !set) refuse(set.error());
-      // One factor set by hand replaces all fitted ones: they belong together.
-      if (!(f_.factors == before)) f_.fixed_factors = true;
-      for (const std::string_view key : {"form=", "lift=", "magnus=", "yaw_drag="}) f_.fixed_factors = f_.fixed_factors || setting.starts_with(key);
+      if (auto set = applyProjectileSetting(f_.projectile, by_hand, setting); !set) refuse(set.error());
     }
+    f_.fixed_factors = by_hand.has_value();
+    f_.factors = by_hand.value_or(Factors{});
   }
 
   const ShotOptions& o_;

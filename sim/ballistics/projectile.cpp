@@ -205,7 +205,7 @@ std::span<const ProjectileSetting> projectileSettings() {
   return settings;
 }
 
-Expected<void> applyProjectileSetting(Projectile& projectile, Factors& factors, std::string_view expression) {
+Expected<void> applyProjectileSetting(Projectile& projectile, std::optional<Factors>& factors, std::string_view expression) {
   const std::size_t equals = expression.find('=');
   const std::string text(expression);
   if (equals == std::string_view::npos || equals == 0 || equals + 1 == expression.size())
@@ -215,7 +215,8 @@ Expected<void> applyProjectileSetting(Projectile& projectile, Factors& factors, 
   for (const FactorRow& row : factorRows()) {
     if (key != row.key) continue;
     if (!number || !number->second.empty()) return fail(ErrorKind::usage, "--set " + text + ": \"" + std::string(value) + "\" is not a finite number.");
-    factors.*row.member = number->first;
+    if (!factors) factors.emplace();
+    (*factors).*row.member = number->first;
     return {};
   }
   std::vector<std::string_view> keys;

@@ -5,9 +5,7 @@
 #include <npsee/aiming.h>
 #include <npsee/ballistics.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <span>
 
@@ -15,7 +13,7 @@ using namespace npsee;
 
 struct npsee_projectile {
   Projectile value;
-  std::optional<Factors> factors;  ///< set by hand; they replace those of every charge, because they belong together
+  std::optional<Factors> factors = {};  ///< set by hand; they replace those of every charge, because they belong together
 };
 struct npsee_ballistics {
   Ballistics value;
@@ -148,8 +146,6 @@ npsee_status aim(const npsee_ballistics& ballistics, const npsee_target& target,
   return NPSEE_OK;
 }
 
-npsee_projectile* newProjectile(Projectile&& value) { return new npsee_projectile{std::move(value), std::nullopt}; }
-
 }  // namespace
 
 extern "C" {
@@ -157,38 +153,19 @@ extern "C" {
 npsee_status npsee_projectile_find(const char* choice, npsee_projectile** projectile) {
   NPSEE_NEEDS(choice);
   NPSEE_NEEDS(projectile);
-  return c::guarded(__func__, [&] {
-    auto found = findProjectile(choice);
-    if (!found) return c::refuse(found.error());
-    *projectile = newProjectile(std::move(*found));
-    return NPSEE_OK;
-  });
+  return c::guarded(__func__, [&] { return c::handOver(findProjectile(choice), projectile); });
 }
 
 npsee_status npsee_projectile_parse(const char* text, size_t length, const char* name, npsee_projectile** projectile) {
   NPSEE_NEEDS(text);
   NPSEE_NEEDS(projectile);
-  return c::guarded(__func__, [&] {
-    auto read = parseProjectile({text, length}, c::orEmpty(name));
-    if (!read) return c::refuse(read.error());
-    *projectile = newProjectile(std::move(*read));
-    return NPSEE_OK;
-  });
+  return c::guarded(__func__, [&] { return c::handOver(parseProjectile({text, length}, c::orEmpty(name)), projectile); });
 }
 
 npsee_status npsee_projectile_set(npsee_projectile* projectile, const char* setting) {
   NPSEE_NEEDS(projectile);
   NPSEE_NEEDS(setting);
-  return c::guarded(__func__, [&] {
-    const Factors before = projectile->factors.value_or(Factors{});
-    Factors factors = before;
-    if (const auto set = applyProjectileSetting(projectile->value, factors, setting); !set) return c::refuse(set.error());
-    // A factor of 1 is set too, though nothing changes.
-    bool of_factor = !(factors == before);
-    for (const std::string_view key : {"form=", "lift=", "magnus=", "yaw_drag="}) of_factor = of_factor || std::string_view(setting).starts_with(key);
-    if (of_factor) projectile->factors = factors;
-    return NPSEE_OK;
-  });
+  return c::guarded(__func__, [&] { return c::settle(applyProjectileSetting(projectile->value, projectile->factors, setting)); });
 }
 
 size_t npsee_projectile_charges(const npsee_projectile* projectile) { return projectile != nullptr ? projectile->value.charges.size() : 0; }

@@ -106,6 +106,9 @@ TEST(FlyCommand, EveryOptionOfTheProjectileChangesTheFlight) {
   EXPECT_GT(rangeOf(plus(kCharge7, {"--set", "mass=99.2lb"})), range);
   EXPECT_LT(rangeOf(plus(kCharge7, {"--diameter", "0.16"})), range);
   EXPECT_LT(rangeOf(plus(kCharge7, {"--set", "form=1.1"})), range);
+  // Blanks around the key change nothing, and a factor of 1 is set by hand too.
+  EXPECT_EQ(rangeOf(plus(kCharge7, {"--set", " form =1.1"})), rangeOf(plus(kCharge7, {"--set", "form=1.1"})));
+  EXPECT_EQ(rangeOf(plus(kCharge7, {"--set", "form =1"})), rangeOf(plus(kCharge7, {"--unfitted"})));
   EXPECT_NE(rangeOf(plus(kCharge7, {"--cd", "0.3"})), range);
   EXPECT_LT(flyJson(plus(kCharge7, {"--twist", "25"}))["drift_m"].get<double>(), plain["drift_m"].get<double>() - 20.0);
   EXPECT_NEAR(flyJson(plus(kCharge7, {"--left-hand"}))["drift_m"].get<double>(), -plain["drift_m"].get<double>(), 1e-9);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -131,7 +132,8 @@ struct ProjectileSetting {
 };
 std::span<const ProjectileSetting> projectileSettings();  ///< All of them, in the order of the reference. Static; thread-safe.
 
-/// Sets one constant (`KEY=VALUE`; keys of projectileSettings). Error kind usage.
-Expected<void> applyProjectileSetting(Projectile& projectile, Factors& factors, std::string_view expression);
+/// Sets one constant (`KEY=VALUE`; keys of projectileSettings). A factor goes into `factors`, which so says whether one was set: those set by hand
+/// replace all fitted ones, for they belong together. Error kind usage; nothing is changed then.
+Expected<void> applyProjectileSetting(Projectile& projectile, std::optional<Factors>& factors, std::string_view expression);
 
 }  // namespace npsee
