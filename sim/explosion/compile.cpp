@@ -5,6 +5,7 @@
 #include "sim/explosion/emission.h"
 #include "sim/explosion/shock_growth.h"
 #include "sim/preset/stream.h"
+#include "sim/preset/validate.h"
 
 #include <algorithm>
 #include <bit>
@@ -70,10 +71,7 @@ LayerConstants constantsOf(const CompileJob& job) {
 }
 
 /// Bytes a particle of the layer is likely to need: its arcs with their start times, and what it draws.
-std::size_t expectedBytes(const Layer& layer) {
-  const double bounces = layer.collide && !layer.follow_ground ? std::min(static_cast<double>(layer.bounce_limit) + 1.0, 6.0) : 0.0;
-  return 60 + static_cast<std::size_t>((1.0 + bounces) * 36.0);
-}
+std::size_t expectedBytes(const Layer& layer, bool flat) { return 60 + static_cast<std::size_t>(std::min(mostArcs(layer, flat), 7.0) * 36.0); }
 
 /// Everything the chunks of one layer share while it is compiled.
 struct LayerBuild {
@@ -296,7 +294,7 @@ CompiledLayer compileLayer(const CompileJob& job) {
   out.count = build.per_event * (child ? build.events.size() : 1);
   if (child && job.layer.trigger == Trigger::path) build.path_ages = pathAges(*job.parent, build.events, build.per_event, job.layer.path_spacing, job.threads);
   if (job.fragments) out.poses.resize(out.count);
-  out.memory = std::make_unique<Arena>(out.count * expectedBytes(job.layer));
+  out.memory = std::make_unique<Arena>(out.count * expectedBytes(job.layer, job.ground.flat()));
   out.chunks.reserve((out.count + kChunkParticles - 1) / kChunkParticles);
   // One by one: copies of a chunk would leave the arena.
   for (std::size_t first = 0; first < out.count; first += kChunkParticles) out.chunks.emplace_back(out.memory.get());

@@ -126,10 +126,13 @@ Expected<std::shared_ptr<const Explosion>> Explosion::compile(const Preset& pres
   if (std::vector<Fault> faults = validate(preset); !faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
   if (const double most = particleBudget(preset); most > options.max_particles)
     return fail(ErrorKind::input, "the layers start " + shortest(most) + " particles, above the caller's limit of " + shortest(options.max_particles) + ".", "Lower a density or count.");
-  if (const double most = memoryBudget(preset); most > options.max_bytes)
-    return fail(ErrorKind::input, "the layers may take " + shortest(most) + " bytes with all their bounces, above the caller's limit of " + shortest(options.max_bytes) + ".", "Lower a bounce_limit, density or count.");
   const FlatGround flat(preset.ground_height_m);
   const Ground& surface = ground != nullptr ? *ground : flat;
+  // What validate() allows is for flat ground; uneven ground may take more.
+  const double most_bytes = std::min(options.max_bytes, kMaxMemory);
+  if (const double most = memoryBudget(preset, surface.flat()); most > most_bytes)
+    return fail(ErrorKind::input, "the layers may take " + shortest(most) + " bytes with all their bounces" + (surface.flat() ? "" : " over this ground") + ", above the " + (most_bytes < options.max_bytes ? "" : "caller's ") + "limit of " + shortest(most_bytes) + ".",
+                "Lower a bounce_limit, density or count.");
 
   auto impl = std::make_unique<Impl>();
   impl->kernels = options.force_baseline ? &explosion::baselineKernels() : &explosion::bestKernels();

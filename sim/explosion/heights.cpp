@@ -1,5 +1,6 @@
 #include "sim/explosion/compile.h"
 #include "sim/explosion/contact.h"
+#include "sim/preset/validate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,11 +81,10 @@ void findArcsOnHeights(const LayerConstants& c, const Ground& ground, const Moti
 }
 
 void findArcsAlongGround(const LayerConstants& c, const Ground& ground, const Motion<double>& launch, double life, ArcRoom& room, int lane) {
-  constexpr int kMostCuts = 48;
   const double above = std::max(0.0, launch.y - ground.height(launch.x, launch.z)), speed = std::sqrt(launch.vx * launch.vx + launch.vz * launch.vz);
   const double thrown = c.flight.k > 0.0 ? std::min(speed * life, speed / c.flight.k) : speed * life;
   const double way = thrown + life * std::sqrt(c.flight.wx * c.flight.wx + c.flight.wz * c.flight.wz);
-  const int cuts = std::clamp(static_cast<int>(std::min(1e6, way / (0.5 * std::max(1e-3, ground.detail())))) + 1, 1, kMostCuts);
+  const int cuts = std::clamp(static_cast<int>(std::min(1e6, way / (0.5 * std::max(1e-3, ground.detail())))) + 1, 1, kMostArcsAlongGround);
   const auto heightAbove = [&](double t) { return flownBy(c.flight, {0.0, above, 0.0, 0.0, launch.vy, 0.0}, t).y; };
   Motion<double> m = launch;
   double start = 0.0;

@@ -11,8 +11,6 @@
 namespace npsee {
 namespace {
 
-/// Memory a compiled preset may take, bytes.
-constexpr double kMaxMemory = 4.0 * 1024 * 1024 * 1024;
 /// What the pieces of one model take at most: 600,000 triangles with their points.
 constexpr double kPiecesMemory = 48.0 * 1024 * 1024;
 
@@ -89,7 +87,7 @@ void checkPieces(const Preset& preset, std::vector<PresetFault>& faults) {
     if (layer.form != Form::pieces) continue;
     if (std::string wrong = wrongModelName(layer.pieces_model); !wrong.empty()) faults.push_back({at(i, "pieces.model"), at(i, "form"), std::move(wrong), "Name a shipped model, such as tank, or an OBJ file beside the preset."});
     if (const std::int64_t count = particleCount(layer); count < 1 || count > kMaxPieces)
-      faults.push_back({at(i, "count"), at(i, "form"), "the model would come apart into " + std::to_string(count) + " pieces.", "Set count to 1 up to " + std::to_string(kMaxPieces) + "."});
+      faults.push_back({at(i, "count"), at(i, "form"), "the model would come apart into " + std::to_string(count) + " pieces, " + (count < 1 ? "which is none." : "above the limit of " + std::to_string(kMaxPieces) + "."), "Set count to 1 up to " + std::to_string(kMaxPieces) + "."});
   }
 }
 
@@ -121,12 +119,19 @@ double particleBudget(const Preset& preset) {
   return total;
 }
 
-double memoryBudget(const Preset& preset) {
-  // 32 bytes an arc and 4 for finding it; 60 for what a particle draws. Pieces of a model have a pose each, and a mesh that is bounded.
+double mostArcs(const Layer& layer, bool flat) {
+  if (layer.follow_ground) return flat ? 1.0 : kMostArcsAlongGround;
+  return layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0;
+}
+
+double memoryBudget(const Preset& preset, bool flat) {
+  // 32 bytes an arc, 4 for finding it, and 4 for its height where the ground is uneven; 60 for what a particle draws. Pieces of a model have a pose
+  // each, and a mesh that is bounded.
+  const double arc = flat ? 36.0 : 40.0;
   double total = 0.0;
   for (const Layer& layer : preset.layers) {
     const bool pieces = layer.form == Form::pieces;
-    total += mostParticles(preset, layer) * (60.0 + (pieces ? 48.0 : 0.0) + 36.0 * (layer.collide ? static_cast<double>(layer.bounce_limit) + 2.0 : 1.0));
+    total += mostParticles(preset, layer) * (60.0 + (pieces ? 48.0 : 0.0) + arc * mostArcs(layer, flat));
     if (pieces && layer.enabled) total += kPiecesMemory;
   }
   return total;

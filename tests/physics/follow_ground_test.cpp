@@ -72,6 +72,22 @@ TEST(FollowGround, NeitherGravityNorContactParametersMatterButBuoyancyLifts) {
     ASSERT_NEAR(lifted.y[i] - before.y[i], rise, 1e-5) << i;
 }
 
+TEST(FollowGround, OverHillsTheBudgetOfMemoryHoldsToo) {
+  Preset preset = skirt();
+  preset.layers[0].count = 5000;
+  const Waves waves;
+  const FlatGround flat(0.0);
+  for (const Ground* ground : {static_cast<const Ground*>(&waves), static_cast<const Ground*>(&flat)}) {
+    CompileOptions options;
+    // What is refused by a budget must be able to take it, and what is let in must stay within.
+    std::size_t held = 0;
+    for (options.max_bytes = 1e4; held == 0 && options.max_bytes < 1e9; options.max_bytes *= 1.25)
+      if (const auto explosion = Explosion::compile(preset, {}, ground, options)) held = (*explosion)->memoryBytes();
+    EXPECT_GT(held, 0u);
+    EXPECT_LE(static_cast<double>(held), options.max_bytes / 1.25);
+  }
+}
+
 TEST(FollowGround, OverHillsItRisesAndSinksWithTheGround) {
   const Waves ground;
   Preset preset = skirt();
