@@ -21,7 +21,7 @@ struct Snapshot {
   static Expected<Preset> read(const std::filesystem::path& path) { return loadPreset(path); }
   static Expected<void> write(const Preset& preset, const std::filesystem::path& path) { return savePreset(preset, path); }
   static std::string text(const Preset& preset) { return presetText(preset); }
-  static Expected<Preset> parse(std::string_view text, const std::filesystem::path& path) { return parsePreset(text, path.string()); }
+  static Expected<Preset> parse(std::string_view text, const std::filesystem::path& path) { return parsePreset(text, path.string(), path.parent_path()); }
 
   std::shared_ptr<const Preset> content;
   int layer = 0;

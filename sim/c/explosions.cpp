@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 using namespace npsee;
@@ -114,10 +113,10 @@ npsee_status npsee_preset_load(const char* path, npsee_preset** preset) {
   return c::guarded(__func__, [&] { return c::handOver(loadPreset(path), preset); });
 }
 
-npsee_status npsee_preset_parse(const char* text, size_t length, const char* name, npsee_preset** preset) {
+npsee_status npsee_preset_parse(const char* text, size_t length, const char* name, const char* folder, npsee_preset** preset) {
   NPSEE_NEEDS(text);
   NPSEE_NEEDS(preset);
-  return c::guarded(__func__, [&] { return c::handOver(parsePreset({text, length}, c::orEmpty(name)), preset); });
+  return c::guarded(__func__, [&] { return c::handOver(parsePreset({text, length}, c::orEmpty(name), c::orEmpty(folder)), preset); });
 }
 
 npsee_status npsee_preset_set(npsee_preset* preset, const char* setting) {
@@ -182,12 +181,13 @@ npsee_status npsee_explosion_extent(const npsee_explosion* explosion, double min
   NPSEE_NEEDS(max_m);
   return c::guarded(__func__, [&] {
     const Extent& extent = explosion->value->extent();
-    const double from[] = {extent.min.x, extent.min.y, extent.min.z}, to[] = {extent.max.x, extent.max.y, extent.max.z};
-    std::copy_n(from, 3, min_m);
-    std::copy_n(to, 3, max_m);
+    c::put(extent.min, min_m);
+    c::put(extent.max, max_m);
     return NPSEE_OK;
   });
 }
+
+double npsee_explosion_reach_m(const npsee_explosion* explosion) { return explosion != nullptr ? explosion->value->extent().reach_m : 0.0; }
 
 npsee_status npsee_explosion_at(const npsee_explosion* explosion, double t_s, const npsee_frame* frame, int threads) {
   NPSEE_NEEDS(explosion);

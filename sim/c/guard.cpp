@@ -1,6 +1,5 @@
 #include "sim/c/guard.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace npsee::c {
@@ -44,6 +43,14 @@ npsee_status refuseNull(const char* function, const char* what) noexcept {
     return refuse(NPSEE_USAGE, std::string(function) + ": " + what + " is null.");
   } catch (...) {
     return refuse(NPSEE_MEMORY, "the memory does not suffice.");
+  }
+}
+
+npsee_status refuseException(const char* function, const char* what) noexcept {
+  try {
+    return refuse(NPSEE_INTERNAL, std::string(function) + ": " + what);
+  } catch (...) {
+    return refuse(NPSEE_INTERNAL, function);
   }
 }
 

@@ -19,6 +19,9 @@ npsee_status refuse(const Error& error) noexcept;
 /// "FUNCTION: WHAT is null."
 npsee_status refuseNull(const char* function, const char* what) noexcept;
 
+/// "FUNCTION: WHAT"
+npsee_status refuseException(const char* function, const char* what) noexcept;
+
 /// Runs the body of an interface function; whatever it throws ends here.
 template <class Work>
 npsee_status guarded(const char* function, const Work& work) noexcept {
@@ -27,9 +30,9 @@ npsee_status guarded(const char* function, const Work& work) noexcept {
   } catch (const std::bad_alloc&) {
     return refuse(NPSEE_MEMORY, "the memory does not suffice.");
   } catch (const std::exception& error) {
-    return refuse(NPSEE_INTERNAL, error.what());
+    return refuseException(function, error.what());
   } catch (...) {
-    return refuse(NPSEE_INTERNAL, function);
+    return refuseException(function, "an exception of an unknown kind.");
   }
 }
 

@@ -112,13 +112,14 @@ void readLayers(const JsonText& json, Preset& preset, std::vector<Fault>& faults
 
 }  // namespace
 
-Expected<Preset> parsePreset(std::string_view text, std::string_view name) {
+Expected<Preset> parsePreset(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
   auto json = JsonText::parse(text, name);
   if (!json) return tl::unexpected<Error>(json.error());
   if (!json->root().is_object())
     return fail(ErrorKind::input, json->fault("", "a preset is an object { ... }, but this is " + std::string(jsonTypeName(json->root())) + ".", ""));
 
   Preset preset;
+  preset.folder.path = folder;
   std::vector<Fault> faults;
   checkVersion(*json, faults);
   // A newer file may mean anything by its keys; listing them as unknown would only mislead.
@@ -136,9 +137,7 @@ Expected<Preset> parsePreset(std::string_view text, std::string_view name) {
 Expected<Preset> loadPreset(const std::filesystem::path& path) {
   const auto text = readTextFile(path);
   if (!text) return tl::unexpected<Error>(text.error());
-  auto preset = parsePreset(*text, path.string());
-  if (preset) preset->folder.path = path.parent_path();
-  return preset;
+  return parsePreset(*text, path.string(), path.parent_path());
 }
 
 }  // namespace npsee

@@ -205,9 +205,9 @@ static void preset_errors(void) {
   REFUSED(NPSEE_USAGE, npsee_preset_load(NULL, &preset));
   REFUSED(NPSEE_USAGE, npsee_preset_load("x", NULL));
   REFUSED(NPSEE_INPUT, npsee_preset_load("/nowhere/x.npsee.json", &preset));
-  REFUSED(NPSEE_USAGE, npsee_preset_parse(NULL, 3, NULL, &preset));
-  REFUSED(NPSEE_INPUT, npsee_preset_parse("{", 1, NULL, &preset));
-  need(npsee_preset_parse(small, strlen(small), "small", &preset));
+  REFUSED(NPSEE_USAGE, npsee_preset_parse(NULL, 3, NULL, NULL, &preset));
+  REFUSED(NPSEE_INPUT, npsee_preset_parse("{", 1, NULL, NULL, &preset));
+  need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
   REFUSED(NPSEE_USAGE, npsee_preset_set(preset, NULL));
   REFUSED(NPSEE_USAGE, npsee_preset_set(NULL, "seed=1"));
   REFUSED(NPSEE_USAGE, npsee_preset_set(preset, "a.speed_man=4"));
@@ -237,7 +237,7 @@ static void explosion_errors(void) {
   npsee_frame frame;
   npsee_layer layer;
   double corner[3], zero = 0.0, numbers[5];
-  need(npsee_preset_parse(small, strlen(small), "small", &preset));
+  need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
   REFUSED(NPSEE_USAGE, npsee_explosion_compile(NULL, NULL, &explosion));
   REFUSED(NPSEE_USAGE, npsee_explosion_compile(preset, NULL, NULL));
   options.max_particles = 4;

@@ -124,6 +124,12 @@ TEST(UnsavedWork, SurvivesItsTextFormat) {
   EXPECT_FALSE(editor::parseUnsaved("[1, 2", "x").has_value());
 }
 
+TEST(UnsavedWork, FindsTheFilesBesideItsPresetAgain) {
+  const auto preset = editor::Snapshot::parse("{\"npsee\": 1}", "/some/where/work.npsee.json");
+  ASSERT_TRUE(preset) << preset.error().text();
+  EXPECT_EQ(preset->folder.path, "/some/where") << "models that it names lie beside its file";
+}
+
 TEST(UnsavedWork, OfARunningEditorIsNobodyElses) {
   const test::TemporaryFolder folder;
   editor::Writer writer;

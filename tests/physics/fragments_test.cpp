@@ -2,7 +2,9 @@
 
 #include "tests/support/explosions.h"
 #include "tests/support/models.h"
+#include "tests/support/process.h"
 
+#include <npsee/explosion.h>
 #include <npsee/fragments.h>
 
 #include <gtest/gtest.h>
@@ -77,6 +79,20 @@ TEST(Fragments, PiecesOfEveryShippedModelAreClosedAndTheirVolumesSumToItsVolume)
       EXPECT_NEAR(mass, 7800.0 * whole, 1e-9 * 7800.0 * whole) << name << " in " << count;
     }
   }
+}
+
+TEST(Fragments, APresetFromTextFindsItsModelInTheFolderThatIsNamed) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "crate.obj", boxObj({-1, 0, -1}, {1, 2, 1}));
+  const std::string text = R"({"npsee": 1, "layers": [{"name": "a", "form": "pieces", "count": 20, "pieces": {"model": "crate.obj"}}]})";
+  const auto beside = parsePreset(text, "text", folder.path());
+  ASSERT_TRUE(beside) << beside.error().text();
+  EXPECT_TRUE(Explosion::compile(*beside));
+  const auto nowhere = parsePreset(text, "text");
+  ASSERT_TRUE(nowhere) << nowhere.error().text();
+  const auto compiled = Explosion::compile(*nowhere);
+  ASSERT_FALSE(compiled);
+  EXPECT_NE(compiled.error().text().find("crate.obj"), std::string::npos) << compiled.error().text();
 }
 
 TEST(Fragments, EachPieceIsGivenAroundItsCentreOfMassWithinItsRadius) {

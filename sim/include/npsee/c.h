@@ -60,8 +60,9 @@ typedef struct npsee_preset npsee_preset;
 /// Reads and checks a preset file (`*.npsee.json`). Errors: input, with every fault.
 NPSEE_API npsee_status npsee_preset_load(const char* path, npsee_preset** preset);
 
-/// The same from `length` bytes of text; `name` (may be null) stands for the file in messages. Errors: input.
-NPSEE_API npsee_status npsee_preset_parse(const char* text, size_t length, const char* name, npsee_preset** preset);
+/// The same from `length` bytes of text. `name` (may be null) stands for the file in messages, `folder` (may be null: the current one) is where the
+/// models that it names lie. Errors: input.
+NPSEE_API npsee_status npsee_preset_parse(const char* text, size_t length, const char* name, const char* folder, npsee_preset** preset);
 
 /// Applies "KEY=VALUE" or "LAYER.KEY=VALUE", units allowed, as `--set` does. Errors: usage; the preset is then unchanged.
 NPSEE_API npsee_status npsee_preset_set(npsee_preset* preset, const char* setting);
@@ -129,8 +130,13 @@ typedef struct npsee_layer {
 /// Layer `index` from 0. Errors: usage. Thread-safe.
 NPSEE_API npsee_status npsee_explosion_layer(const npsee_explosion* explosion, size_t index, npsee_layer* layer);
 
-/// Box around the particles over the whole effect, metres: x, y, z of both corners. Errors: usage. Thread-safe.
+/// Box that holds what is drawn over the whole effect, all but strays, metres: x, y, z of both corners; to point a camera at. Errors: usage.
+/// Thread-safe.
 NPSEE_API npsee_status npsee_explosion_extent(const npsee_explosion* explosion, double min_m[3], double max_m[3]);
+
+/// Farthest that anything is drawn from the middle of that box, strays included, metres, estimated from at most 300 particles a layer; 0 for null.
+/// Thread-safe.
+NPSEE_API double npsee_explosion_reach_m(const npsee_explosion* explosion);
 
 /// The state of all particles at one time in the caller's arrays, one entry per particle in layer order. A null array is not wanted.
 typedef struct npsee_frame {
@@ -141,7 +147,7 @@ typedef struct npsee_frame {
   double *age;                    ///< s since birth, 0 to the lifetime
   double *r, *g, *b, *a;          ///< sRGB-coded colour and opacity, 0 to 1; a is 0 for particles not alive
   double *qx, *qy, *qz, *qw;      ///< orientation, unit quaternion, body to world
-  uint8_t *alive;                 ///< 1 between birth and death, else 0
+  uint8_t *alive;                 ///< 1 between birth and death, else 0; pieces that stand are there from time 0
   uint8_t *bounces;               ///< ground contacts so far
 } npsee_frame;
 
@@ -154,11 +160,11 @@ typedef struct npsee_float_frame {
   float *age;                     ///< s since birth, 0 to the lifetime
   float *r, *g, *b, *a;           ///< sRGB-coded colour and opacity, 0 to 1; a is 0 for particles not alive
   float *qx, *qy, *qz, *qw;       ///< orientation, unit quaternion, body to world
-  uint8_t *alive;                 ///< 1 between birth and death, else 0
+  uint8_t *alive;                 ///< 1 between birth and death, else 0; pieces that stand are there from time 0
   uint8_t *bounces;               ///< ground contacts so far
 } npsee_float_frame;
 
-/// Fills the arrays with the state at `t_s` (s, finite; before 0 nothing is alive), on `threads` threads (at least 1; the bytes do not
+/// Fills the arrays with the state at `t_s` (s, finite; before 0 there is nothing but pieces that stand), on `threads` threads (at least 1; the bytes do not
 /// depend on it). What it costs does not depend on the time. Errors: usage (arrays too short, a time that is not finite), memory.
 /// Thread-safe. Each thread keeps room of its own for the next call, see npsee_release_scratch().
 NPSEE_API npsee_status npsee_explosion_at(const npsee_explosion* explosion, double t_s, const npsee_frame* frame, int threads);

@@ -35,7 +35,7 @@ struct BasicFrame {
   std::vector<Real> age;             ///< s since birth, clamped to 0..lifetime
   std::vector<Real> r, g, b, a;      ///< sRGB-coded colour and opacity, 0..1; a is 0 for particles not alive
   std::vector<Real> qx, qy, qz, qw;  ///< unit quaternion, body to world
-  std::vector<std::uint8_t> alive;   ///< 1 between birth and death
+  std::vector<std::uint8_t> alive;   ///< 1 between birth and death; pieces that stand are there from time 0
   std::vector<std::uint8_t> bounces; ///< ground contacts so far
   std::size_t count = 0;             ///< particles; arrays may be longer (padding)
   double time_s = 0.0;
@@ -97,7 +97,7 @@ class Explosion {
   /// Bytes held per compiled explosion.
   std::size_t memoryBytes() const;
 
-  /// Fills `out` with the state at t (s, any finite value; before 0 nothing is alive). Cost does not depend on t.
+  /// Fills `out` with the state at t (s, any finite value; before 0 there is nothing but pieces that stand). Cost does not depend on t.
   /// Buffers are grown once and reused. `threads` may be any number of at least 1; the bytes do not depend on it.
   void at(double t_s, Frame& out, unsigned fields = kAllFields, int threads = 1) const;
   void at(double t_s, ExactFrame& out, unsigned fields = kAllFields, int threads = 1) const;

@@ -161,8 +161,9 @@ inline constexpr std::size_t kMaxCurvePoints = 32;
 /// Thread-safe.
 Expected<Preset> loadPreset(const std::filesystem::path& path);
 
-/// The same from text; `name` stands for the file in messages. Errors as of loadPreset. Thread-safe.
-Expected<Preset> parsePreset(std::string_view text, std::string_view name);
+/// The same from text; `name` stands for the file in messages, `folder` is where the files that it names lie (empty: the current one). Errors as of
+/// loadPreset. Thread-safe.
+Expected<Preset> parsePreset(std::string_view text, std::string_view name, const std::filesystem::path& folder = {});
 
 /// The file's text: keys in table order, values that equal their default left out, two-space indent, final newline.
 /// `parsePreset(presetText(p), "") == p`, and the text is the same again when saved once more.
