@@ -230,7 +230,7 @@ std::string_view jsonTypeName(const ordered_json& value) {
 
 std::string shownJson(const ordered_json& value) {
   constexpr std::size_t kLongest = 60;
-  const std::string shown = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  std::string shown = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   if (shown.size() <= kLongest) return shown;
   // Not in the middle of a letter.
   std::size_t end = kLongest - 3;

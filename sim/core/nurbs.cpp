@@ -141,6 +141,7 @@ SurfaceSample Surface::at(double u, double v) const { return sample(basisAt(u_, 
 
 std::vector<SurfaceSample> Surface::grid(const std::vector<double>& us, const std::vector<double>& vs) const {
   std::vector<Basis> along_u;
+  along_u.reserve(us.size());
   for (const double u : us) along_u.push_back(basisAt(u_, u));
   std::vector<SurfaceSample> out;
   out.reserve(us.size() * vs.size());

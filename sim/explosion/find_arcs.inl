@@ -27,7 +27,7 @@ NPSEE_KERNEL_INLINE void findArcsOf(const LayerConstants& c, const Launches& fro
   Motion<Eight> m{loadEight(from.x + first), loadEight(from.y + first), loadEight(from.z + first), loadEight(from.vx + first), loadEight(from.vy + first), loadEight(from.vz + first)};
   const Eight life = loadEight(from.lifetime_s + first);
   const Eight zero = filled<Eight>(0.0);
-  EightMasks active = zero == zero;
+  EightMasks active = filled<Eight>(1.0) > zero;
   Eight start = zero;
   appendArcs(room, active, m.y, m);
   if (!c.collide) return;

@@ -81,8 +81,9 @@ void Mission::State::step() {
 }
 
 void Mission::State::keepLimits() {
-  const auto within = [&](std::size_t count, std::size_t most, const std::string& what, const std::string& remedy) {
-    if (count > most && !failed) fail("The mission ends here: its recording would hold more than " + std::to_string(most) + " " + what + ". " + remedy);
+  // In every tick: the text is put together only where it is needed.
+  const auto within = [&](std::size_t count, std::size_t most, std::string_view what, std::string_view remedy) {
+    if (count > most && !failed) fail("The mission ends here: its recording would hold more than " + std::to_string(most) + " " + std::string(what) + ". " + std::string(remedy));
   };
   within(vehicles->legs(), limits.legs, "legs of vehicles", "Shorten its duration, or let fewer vehicles drive.");
   within(rec.shells.size(), limits.shells, "shells", "Shorten its duration, or give the guns fewer rounds.");

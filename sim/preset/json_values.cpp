@@ -88,7 +88,7 @@ ordered_json colourJson(const Colour& colour) {
 std::optional<Value> valueFromJson(const Parameter& row, const JsonText& json, const std::string& pointer, std::vector<Fault>& faults) {
   const ordered_json& found = json.root().at(ordered_json::json_pointer(pointer));
   const std::string remedy = "`npsee params " + std::string(row.key) + "` says what it does.";
-  const auto value = convert(row, found);
+  auto value = convert(row, found);
   if (!value) {
     faults.push_back(json.fault(pointer, std::string(row.key) + " is " + shownJson(found) + ", but must be " + std::string(wanted(row.type)) + ".", remedy));
     return std::nullopt;
