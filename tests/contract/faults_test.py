@@ -96,6 +96,22 @@ class Faults(CommandLine):
                 states.add(now == new)
             self.assertTrue(states)
 
+    @unittest.skipIf(SANITIZED, "sanitizers want to be the first library that is loaded")
+    def test_a_clock_that_jumps_changes_nothing(self):
+        places = {f"XDG_{kind}_HOME": str(self.folder / ".kept") for kind in ("CONFIG", "STATE", "CACHE")}
+        self.write("script.txt", "set a.speed_mean 61\nwait 31\nexpect autosaved = yes\nkey ctrl+S\nkey Space\nwait 30\nexpect dirty = no\nexpect error =\n")
+        calls = ((("mission", "m.mission.json", "--quiet", "--until", "60", "--record", "out"), "out"),
+                 (("render", "small.npsee.json", "--frames", "0:0.2", "--fps", "10", "--size", "96x64", "-o", "f_%d.png", "--progress", "steps"), "f_1.png"),
+                 (("edit", "small.npsee.json", "--headless", "--remember", "--size", "800x500", "--script", "script.txt", "--screenshot", "out.png"), "out.png"))
+        for call, name in calls:
+            with self.subTest(call=" ".join(call)):
+                self.preset(count=60)
+                self.expect(0, self.run_npsee(*call, **places))
+                steady = (self.folder / name).read_bytes()
+                self.preset(count=60)
+                self.expect(0, self.run_npsee(*call, LD_PRELOAD=os.environ["JUMPING_CLOCK"], **places))
+                self.assertEqual((self.folder / name).read_bytes(), steady)
+
     @unittest.skipIf(SANITIZED, "sanitizers take addresses of their own")
     def test_memory_that_does_not_suffice_is_told(self):
         self.preset("big.npsee.json", count=3_000_000)
