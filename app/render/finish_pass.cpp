@@ -10,7 +10,7 @@ namespace npsee::render {
 
 Expected<FinishPass> FinishPass::create() {
   FinishPass pass;
-  for (const auto& loaded : {pass.clear_.load("tiles.vert", "clear.frag"), pass.single_.load("tiles.vert", "finish.frag"), pass.smooth_.load("tiles.vert", "finish_smooth.frag")})
+  for (const auto& loaded : {pass.clear_.load("tiles.vert", "clear.frag"), pass.single_.load("tiles.vert", "finish.frag")})
     if (!loaded) return tl::unexpected<Error>(loaded.error());
   return pass;
 }
@@ -89,6 +89,8 @@ void FinishPass::setScene(const gl::Program& program, const Target& target, int 
 
 Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
   if (target.draft()) return layDraft(target, tiles, behind, plain);
+  if (target.smooth() && !smooth_)
+    if (auto loaded = smooth_.load("tiles.vert", "finish_smooth.frag"); !loaded) return loaded;
   target.bindFinished();
   gl::drawPlainly();
   const gl::Program& program = target.smooth() ? smooth_ : single_;

@@ -34,9 +34,9 @@ class FinishPass {
   static void setScene(const gl::Program& program, const Target& target, int behind, const Colour& plain);
   Expected<void> layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain);
 
-  gl::Program clear_, single_, smooth_;
-  gl::Program draft_, enlarge_, sum_;     // made when first needed
-  gl::Program mission_, mission_smooth_, mission_draft_;  // made when first needed
+  gl::Program clear_, single_;
+  // Made when first needed.
+  gl::Program smooth_, draft_, enlarge_, sum_, mission_, mission_smooth_, mission_draft_;
 };
 
 /// Sets where a draft's effect lies in its texture: u_per_pixel, u_used and u_texels, with the program in use.
