@@ -13,6 +13,7 @@ uniform vec3 u_horizon;      // colours of the sky
 uniform vec3 u_zenith;
 uniform vec3 u_afterglow;    // added where the sun went down
 uniform float u_stars;       // brightness of the brightest star
+uniform float u_exposure;    // factor on the light
 uniform float u_haze;        // distance at which haze covers 40 %, m
 layout(location = 0) out vec4 o_light;     // linear, rolled off
 layout(location = 1) out vec4 o_finished;  // sRGB-coded
@@ -84,7 +85,7 @@ void main() {
   vec3 ray = u_ray_origin + gl_FragCoord.x * u_ray_x + gl_FragCoord.y * u_ray_y;
   float depth = (u_height - u_eye.y) / ray.y;
   vec3 light = depth > 0.0 && abs(ray.y) > 1e-6 ? groundColour(ray, depth) : skyOfHour(ray);
-  light = rolledOff(light);
+  light = rolledOff(u_exposure * light);
   o_light = vec4(light, 1.0);
   o_finished = vec4(srgbFromLinear(light), 1.0);
 }

@@ -13,7 +13,7 @@ vec3 unrolled(vec3 c) {
 
 void finishDeep(vec4 scene, ivec2 at) {
   scene *= u_effect;
-  scene.rgb = bloomed(scene.rgb, at);
+  scene.rgb = u_exposure * bloomed(scene.rgb, at);
   if (u_linear == 0) {
     o_colour = coded(scene, at);
     return;

@@ -18,7 +18,7 @@ vec4 coded(vec4 scene, ivec2 at) {
 }
 
 void lay(vec4 scene, ivec2 at) {
-  scene.rgb = bloomed(scene.rgb, at);
+  scene.rgb = u_exposure * bloomed(scene.rgb, at);
   if (scene.a <= 0.0 && max(max(scene.r, scene.g), scene.b) <= 0.0) discard;
   o_colour = coded(scene, at);
 }

@@ -8,6 +8,7 @@ uniform vec2 u_scale;       // pixels of the picture to one of the draft, each w
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 scene = texelFetch(u_scene, at, 0);
+  scene.rgb *= u_exposure;
   ivec2 place = ivec2(gl_FragCoord.xy * u_scale);
   float a = min(scene.a, 1.0);
   vec4 whole = coded(scene, place);

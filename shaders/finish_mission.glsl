@@ -11,6 +11,6 @@ vec3 quickSrgb(vec3 c) {
 }
 
 vec4 finishedMission(vec3 light) {
-  light = bloomed(light, ivec2(gl_FragCoord.xy));
+  light = u_exposure * bloomed(light, ivec2(gl_FragCoord.xy));
   return vec4(clamp(quickSrgb(max(rolledOff(light), 0.0)), 0.0, 1.0), 1.0);
 }

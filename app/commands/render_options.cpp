@@ -19,6 +19,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& o) {
   option("--fps", o.fps, "Frames per second of a sequence or video, and what motion is measured over: 30 (default), 29.97, 30000/1001", "RATE");
   option("--size", o.size, "Picture size in pixels, 1280x720 if left out; with --sheet that of each picture, 320x180 if left out", "WxH");
   option("--quality", o.quality, kQualityHelp, choiceOf(render::kQualityNames).c_str());
+  option("--exposure", o.exposure, "The camera's exposure in stops, -4 to 4: each doubles the light before highlights roll off; 0 (default). Plain backgrounds stay as they are", "STOPS");
   option("--camera", o.camera, "auto (default: the whole effect), front, back, side, left, top, or \"eye=X,Y,Z target=X,Y,Z fov=40deg\"", "CAMERA");
   option("--background", o.background, "sky (default), transparent, black, white, or a colour such as \"#20242c\"", "COLOUR");
   option("--sheet", o.sheet, "Contact sheet of C columns and R rows over the whole effect, or over --frames; transparent: a sprite sheet without captions", "CxR");

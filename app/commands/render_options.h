@@ -16,7 +16,7 @@ namespace npsee::commands {
 struct RenderOptions {
   std::vector<std::string> files;
   std::vector<std::string> settings;
-  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads, format, caption, bits, passes, quality;
+  std::string seed, output, time, frames, fps, size, camera, background, sheet, view, layer, threads, format, caption, bits, passes, quality, exposure;
   bool as_template = false, index = false;
   // a pipeline's habits
   std::string shard, summary, progress;

@@ -147,6 +147,13 @@ Expected<render::Background> readBackground(std::string_view text) {
   return render::Background{Kind::colour, std::get<Colour>(*colour)};
 }
 
+Expected<double> readExposure(std::string_view text) {
+  if (text.empty()) return 0.0;
+  const auto stops = parseQuantity(text, Unit::none);
+  if (!stops || std::abs(*stops) > render::kMostExposure_stops) return refused("--exposure", text, "exposures go from -4 to 4 stops.", "Write for example 1.5: 1 is twice the light, -1 half of it.");
+  return *stops;
+}
+
 Expected<int> readThreads(std::string_view text) {
   if (text.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
   const auto threads = wholeNumber(text);
@@ -269,6 +276,7 @@ Expected<RenderPlan> makePlan(const RenderOptions& options) {
   if (done) done = readSize(options, plan);
   if (done) done = take(readBackground(options.background), plan.background);
   if (done) done = take(readQuality(options.quality), plan.quality);
+  if (done) done = take(readExposure(options.exposure), plan.exposure_stops);
   if (done) done = take(readThreads(options.threads), plan.threads);
   if (done) done = take(readView(options.view), plan.view);
   if (done && !options.time.empty()) done = take(readMoments(options.time), plan.moments);

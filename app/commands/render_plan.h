@@ -46,6 +46,7 @@ struct RenderPlan {
   render::Background background;
   std::string camera = "auto";
   render::Quality quality = render::Quality::normal;
+  double exposure_stops = 0.0;
   std::vector<Moment> moments{Moment{}};  ///< of pictures; a quarter into an effect its pieces are usually spread and in flight
   std::optional<std::pair<double, double>> range_s;  ///< `--frames`, s
   FrameRate rate;

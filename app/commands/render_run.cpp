@@ -22,6 +22,7 @@ PictureJob jobOf(const RenderPlan& plan, const Preset& preset, const Explosion& 
   job.scene.sky = preset.sky;
   job.scene.background = plan.background;
   job.scene.quality = plan.quality;
+  job.scene.exposure_stops = plan.exposure_stops;
   job.width = plan.width;
   job.height = plan.height;
   job.threads = plan.threads;

@@ -47,7 +47,7 @@ nlohmann::ordered_json goldenJson(const GoldenCheck& check) {
 std::string summaryJson(const RenderSummary& summary) {
   const auto count = [&](FileState state) { return std::ranges::count(*summary.items, state, &WorkItem::state); };
   const RenderPlan& plan = *summary.plan;
-  nlohmann::ordered_json out{{"npsee", NPSEE_VERSION}, {"build", buildId()}, {"driver", summary.driver}, {"processor", summary.processor}, {"width", plan.width}, {"height", plan.height}, {"quality", render::kQualityNames[static_cast<std::size_t>(plan.quality)]}, {"shard", {plan.shard.index, plan.shard.count}}, {"seconds", summary.seconds}};
+  nlohmann::ordered_json out{{"npsee", NPSEE_VERSION}, {"build", buildId()}, {"driver", summary.driver}, {"processor", summary.processor}, {"width", plan.width}, {"height", plan.height}, {"quality", render::kQualityNames[static_cast<std::size_t>(plan.quality)]}, {"exposure", plan.exposure_stops}, {"shard", {plan.shard.index, plan.shard.count}}, {"seconds", summary.seconds}};
   out["written"] = count(FileState::written);
   out["skipped"] = count(FileState::skipped);
   out["planned"] = count(FileState::planned);

@@ -55,9 +55,11 @@ std::string qualityText(const RenderPlan& plan) {
   return plan.quality == render::Quality::normal ? std::string() : "quality " + std::string(render::kQualityNames[static_cast<std::size_t>(plan.quality)]) + '\n';
 }
 
+std::string exposureText(const RenderPlan& plan) { return plan.exposure_stops == 0.0 ? std::string() : "exposure " + shortest(plan.exposure_stops) + '\n'; }
+
 /// All but the preset and the time.
 std::string planText(const RenderPlan& plan) {
-  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + qualityText(plan) + floatsText(plan);
+  return std::string("npsee " NPSEE_VERSION "\n") + kindText(plan) + "\nsize " + std::to_string(plan.width) + 'x' + std::to_string(plan.height) + "\ncamera " + plan.camera + "\nbackground " + backgroundText(plan.background) + '\n' + qualityText(plan) + exposureText(plan) + floatsText(plan);
 }
 
 render::DeepImage deepImage(const render::FloatImage& floats) {

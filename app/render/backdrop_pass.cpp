@@ -26,6 +26,7 @@ void BackdropPass::draw(const Target& target, const Backdrop& backdrop) const {
   program_.set("u_grid", backdrop.grid ? 1.0f : 0.0f);
   // Haze grows with the scene, so that a far camera still sees its effect clearly.
   program_.set("u_haze", static_cast<float>(250.0 + 5.0 * backdrop.view.distance_m));
+  program_.set("u_exposure", static_cast<float>(backdrop.exposure));
   glBindVertexArray(nothing_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

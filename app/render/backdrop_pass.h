@@ -14,6 +14,7 @@ struct Backdrop {
   Colour ground_colour;
   Sky sky = Sky::day;
   bool grid = true;
+  double exposure = 1.0;  ///< factor on the light
 
   friend bool operator==(const Backdrop&, const Backdrop&) = default;
 };

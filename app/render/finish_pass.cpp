@@ -88,7 +88,7 @@ void FinishPass::setScene(const gl::Program& program, const Target& target, int 
 }
 
 Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
-  if (target.draft()) return layDraft(target, tiles, behind, plain);
+  if (target.draft()) return layDraft(target, tiles, behind, plain, bloom.exposure);
   if (target.smooth() && !smooth_)
     if (auto loaded = smooth_.load("tiles.vert", "finish_smooth.frag"); !loaded) return loaded;
   target.bindFinished();
@@ -100,7 +100,7 @@ Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int 
   return {};
 }
 
-Expected<void> FinishPass::layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain) {
+Expected<void> FinishPass::layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, double exposure) {
   if (!draft_) {
     if (auto loaded = draft_.load("tiles.vert", "finish_draft.frag"); !loaded) return loaded;
     if (auto loaded = enlarge_.load("tiles.vert", "enlarge_draft.frag"); !loaded) return loaded;
@@ -109,6 +109,7 @@ Expected<void> FinishPass::layDraft(const Target& target, const TileMesh& tiles,
   target.bindDraft();
   setScene(draft_, target, behind, plain);
   const auto width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
+  draft_.set("u_exposure", static_cast<float>(exposure));
   draft_.set("u_scale", width / static_cast<float>(target.draftWidth()), height / static_cast<float>(target.draftHeight()));
   tiles.draw(draft_, 0.0f);
   target.bindFinished();
@@ -131,6 +132,7 @@ void setDraft(const gl::Program& program, const Target& target) {
 
 void setBloom(const gl::Program& program, const BloomLight& bloom) {
   program.set("u_bloom", 2);
+  program.set("u_exposure", static_cast<float>(bloom.exposure));
   program.set("u_bloom_share", static_cast<float>(bloom.texture != 0 ? bloom.share : 0.0));
   program.set("u_bloom_cell", bloom.cell_px);
   program.set("u_bloom_size", static_cast<float>(std::max(bloom.width_px, 1.0)), static_cast<float>(std::max(bloom.height_px, 1.0)));

@@ -32,7 +32,7 @@ class FinishPass {
   Expected<void> lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom);
   /// The effect's textures and uniforms that finish.glsl asks for.
   static void setScene(const gl::Program& program, const Target& target, int behind, const Colour& plain);
-  Expected<void> layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain);
+  Expected<void> layDraft(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, double exposure);
 
   gl::Program clear_, single_;
   // Made when first needed.

@@ -38,6 +38,12 @@ std::vector<Vec3> ring(const Terrain& terrain, const Vec3& centre, double radius
 
 StrokeStyle style(const Colour& colour, double width_px, double opacity, double hidden, double dash_px = 0.0) { return {colour, width_px, opacity, hidden, dash_px}; }
 
+StrokeStyle wider(StrokeStyle style, double scale) {
+  style.width_px *= scale;
+  style.dash_px *= scale;
+  return style;
+}
+
 class Lines {
  public:
   Lines(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const Weapons& weapons)
@@ -52,6 +58,8 @@ class Lines {
     for (const int index : flying_) shell(recording_.shells[static_cast<std::size_t>(index)]);
     if (wanted.beliefs) beliefs();
     if (wanted.icons && eye_.kind != MissionCamera::Kind::observer) icons(marks);
+    for (WorldStroke& stroke : out_.ground) stroke.style = wider(stroke.style, view_.scale);
+    for (ScreenStroke& stroke : out_.screen) stroke.style = wider(stroke.style, view_.scale);
     return std::move(out_);
   }
 
@@ -135,7 +143,7 @@ class Lines {
   }
 
   void icon(const MissionMark& mark, Side side) {
-    const double s = 5.5, x = mark.x, y = mark.y - s - 5.0;
+    const double k = view_.scale, s = 5.5 * k, x = mark.x, y = mark.y - s - 5.0 * k;
     std::vector<std::pair<double, double>> outline;
     if (mark.kind == MissionMark::Kind::gun) outline = {{x - s, y - s}, {x + s, y - s}, {x + s, y + s}, {x - s, y + s}, {x - s, y - s}};
     else if (side == Side::hostile) outline = {{x, y - 1.25 * s}, {x + 1.25 * s, y}, {x, y + 1.25 * s}, {x - 1.25 * s, y}, {x, y - 1.25 * s}};
@@ -146,12 +154,12 @@ class Lines {
     out_.screen.push_back({outline, style(sideColour(side), 1.7, opacity, 1.0)});
     // A gun has a dot, an observer a triangle inside, as on maps.
     if (mark.kind == MissionMark::Kind::gun) out_.screen.push_back({{{x, y}}, style(sideColour(side), 4.0, opacity, 1.0)});
-    if (mark.kind == MissionMark::Kind::observer) out_.screen.push_back({{{x - 3.0, y + 2.5}, {x, y - 3.0}, {x + 3.0, y + 2.5}, {x - 3.0, y + 2.5}}, style(sideColour(side), 1.3, opacity, 1.0)});
+    if (mark.kind == MissionMark::Kind::observer) out_.screen.push_back({{{x - 3.0 * k, y + 2.5 * k}, {x, y - 3.0 * k}, {x + 3.0 * k, y + 2.5 * k}, {x - 3.0 * k, y + 2.5 * k}}, style(sideColour(side), 1.3, opacity, 1.0)});
   }
 
   void icons(const std::vector<MissionMark>& marks) {
     for (const MissionMark& mark : marks) {
-      if (mark.size_px > 110.0) continue;
+      if (mark.size_px > 110.0 * view_.scale) continue;
       if (mark.kind == MissionMark::Kind::gun || mark.kind == MissionMark::Kind::observer) icon(mark, Side::friendly);
       if (mark.kind != MissionMark::Kind::vehicle) continue;
       const VehicleRecord& vehicle = recording_.vehicles[static_cast<std::size_t>(mark.index)];
@@ -178,7 +186,7 @@ OverlayDrawing overlaysOf(const Recording& recording, double time_s, const Missi
 
 std::vector<MissionMark> marksOf(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye) {
   std::vector<MissionMark> out;
-  const double least = eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px;
+  const double least = eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px * view.scale;
   const double per_metre = 0.5 * eye.height / std::tan(0.5 * eye.lens.fov_y_rad);
   const auto add = [&](MissionMark::Kind kind, int index, int target, const Vec3& at, double length_m, double height_m) {
     const double depth = -dot(eye.lens.back, at - eye.lens.eye);
@@ -187,7 +195,7 @@ std::vector<MissionMark> marksOf(const Recording& recording, double time_s, cons
     const auto pixel = eye.project(at + Vec3{0.0, larger * height_m, 0.0});
     constexpr double kAround_px = 60.0;
     if (!pixel || pixel->x < -kAround_px || pixel->y < -kAround_px || pixel->x > eye.width + kAround_px || pixel->y > eye.height + kAround_px) return;
-    MissionMark mark{kind, index, target, pixel->x, pixel->y, depth, std::max(larger * length_m * per_metre / depth, 6.0), false};
+    MissionMark mark{kind, index, target, pixel->x, pixel->y, depth, std::max(larger * length_m * per_metre / depth, 6.0 * view.scale), false};
     if (eye.kind != MissionCamera::Kind::plan) mark.hidden = !recording.terrain.sight(eye.lens.eye, at + Vec3{0.0, std::max(height_m, 0.5), 0.0}).clear;
     out.push_back(mark);
   };

@@ -44,6 +44,9 @@ struct MissionView {
   bool smooth = true;         ///< several samples per pixel; costs about a third of the time
   Quality quality = Quality::normal;
   int threads = 1;            ///< for compiling explosions; the picture does not depend on it
+  double exposure_stops = 0.0;  ///< as in Scene
+  double scale = 1.0;         ///< factor on the widths of lines and on all that is drawn at least so large, for pictures with finer pixels
+  friend bool operator==(const MissionView&, const MissionView&) = default;
 };
 
 /// How a picture of a mission, or one of those that it is made of, lies in what it is drawn into.

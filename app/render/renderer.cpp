@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -118,7 +119,7 @@ Expected<Renderer::Impl::Slot*> Renderer::Impl::sized(int index, int width, int 
 }
 
 void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const {
-  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.sky, scene.grid};
+  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.sky, scene.grid, std::exp2(scene.exposure_stops)};
   // Frames of a sequence share their backdrop, which costs more to draw than a hundred pieces.
   if (slot.backdrop == wanted) return;
   backdrop.draw(slot.target, wanted);
@@ -249,6 +250,7 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
   if (auto done = spreadLight(target); !done) return done;
   passed("bloom");
   const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
+  spread.exposure = std::exp2(scene.exposure_stops);
   if (auto finished = outdoors ? finish.drawOverBackdrop(target, tiles, spread) : finish.drawOverColour(target, tiles, plain, spread); !finished) return finished;
   passed("finish");
   return drawnWithoutError();
@@ -321,6 +323,7 @@ Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& record
   }
   if (draft) bright.reset(width, height);
   if (auto done = spreadLight(target); !done) return done;
+  spread.exposure = std::exp2(view.exposure_stops);
   if (auto finished = finish.drawMission(target, tiles, spread); !finished) return finished;
   return drawnWithoutError();
 }

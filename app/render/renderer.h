@@ -29,6 +29,7 @@ struct MissionView;
 struct Background {
   enum class Kind { sky, colour, transparent } kind = Kind::sky;
   Colour colour;
+  friend bool operator==(const Background&, const Background&) = default;
 };
 
 /// What a frame has to hold to be drawn.
@@ -45,7 +46,10 @@ struct Scene {
   bool grid = true;
   bool bloom = true;                  ///< light that is too bright spreads; never in drafts
   Quality quality = Quality::normal;
+  double exposure_stops = 0.0;        ///< the camera's: light times 2^stops before highlights roll off; plain backgrounds stay as they are
 };
+/// Largest exposure in either direction, stops.
+inline constexpr double kMostExposure_stops = 4.0;
 
 /// The three views of the thesis's template.
 enum class TemplateView { splines, polygons, surface };
