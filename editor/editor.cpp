@@ -3,113 +3,17 @@
 #include "editor/layout.h"
 #include "editor/mission/session.h"
 #include "editor/panels/desk/sheets.h"
+#include "editor/panels/desk/view_tools.h"
 #include "editor/panels/panels.h"
+#include "editor/pictures.h"
 #include "editor/remember.h"
-#include "editor/ui/picture_store.h"
+#include "editor/ui/kept_window.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
 
 namespace npsee::editor {
 namespace {
-
-/// Draws what panels show with the one renderer. Slots keep the two textures apart.
-class RendererPictures final : public Pictures {
- public:
-  explicit RendererPictures(render::Renderer& renderer) : renderer_(renderer) {}
-
-  ImTextureID explosion(const Session& session, int width, int height) override {
-    if (!enabled || session.explosion() == nullptr) return nullptr;
-    const Preset& preset = session.document.preset();
-    render::Scene scene;
-    scene.frame = &session.frame();
-    scene.layers = session.explosion()->layers();
-    scene.ground_height_m = preset.ground_height_m;
-    scene.ground_colour = preset.ground_colour;
-    scene.sky = preset.sky;
-    scene.grid = grid;
-    scene.background = behind;
-    return id(renderer_.drawToTexture(scene, session.camera, width, height, 0));
-  }
-
-  ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) override {
-    if (!enabled || session.design.ease.shown().layers.empty()) return nullptr;
-    render::TemplateScene scene;
-    scene.preset = &session.design.ease.shown();
-    scene.layer = 0;
-    scene.view = session.template_view;
-    scene.yaw_rad = session.template_yaw_rad;
-    scene.pitch_rad = session.template_pitch_rad;
-    scene.background = {render::Background::Kind::colour, background};
-    scene.handles = true;
-    scene.active = active;
-    scene.scale = scale;
-    return id(renderer_.drawToTexture(scene, width, height, 1));
-  }
-
-  ImTextureID other(const Session& session, const Preset& preset, const Explosion& explosion, const Frame& frame, int which, int width, int height) override {
-    if (!enabled) return nullptr;
-    constexpr int kFirstSlot = 4;
-    render::Scene beside;
-    beside.frame = &frame;
-    beside.layers = explosion.layers();
-    beside.ground_height_m = preset.ground_height_m;
-    beside.ground_colour = preset.ground_colour;
-    beside.sky = preset.sky;
-    beside.grid = grid;
-    beside.background = behind;
-    return id(renderer_.drawToTexture(beside, session.camera, width, height, kFirstSlot + which));
-  }
-
-  ImTextureID mission(const MissionSession& session, int width, int height) override {
-    const Recording* recording = session.recording();
-    if (!enabled || recording == nullptr || !prepare(session)) return nullptr;
-    const ImTextureID texture = id(renderer_.drawToTexture(*scene_, *recording, session.clock.time_s, session.view, width, height, 2));
-    for (; warned_ < scene_->warnings().size(); ++warned_) fault = scene_->warnings()[warned_];
-    return texture;
-  }
-
-  const std::vector<render::MissionMark>& marks(const MissionSession& session, int width, int height) override {
-    marks_.clear();
-    if (session.recording() != nullptr && prepare(session)) marks_ = scene_->marks(*session.recording(), session.clock.time_s, session.view, width, height);
-    return marks_;
-  }
-
-  ImTextureID file(const std::filesystem::path& path) override { return enabled ? store_.texture(path) : nullptr; }
-
-  bool enabled = true;
-  Colour background;
-  bool grid = true;
-  render::Background behind;  ///< the explosion
-  double scale = 1.0;  ///< of the panels
-  std::string fault;
-  std::optional<Error> failed;  ///< what the driver could not draw
-
- private:
-  /// The scene of the mission shown; it notices by itself when the recording grows or the ground is another.
-  bool prepare(const MissionSession& session) {
-    if (scene_) return true;
-    auto made = render::MissionScene::make(*session.recording());
-    if (made) scene_ = std::move(*made);
-    else fault = made.error().text();
-    return scene_ != nullptr;
-  }
-
-  ImTextureID id(const Expected<unsigned>& texture) {
-    if (!texture) {
-      fault = texture.error().text();
-      if (texture.error().kind == ErrorKind::graphics) failed = texture.error();
-    }
-    return texture ? reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(*texture)) : nullptr;
-  }
-
-  render::Renderer& renderer_;
-  PictureStore store_;
-  std::unique_ptr<render::MissionScene> scene_;
-  std::size_t warned_ = 0;  ///< of the scene's warnings that were shown
-  std::vector<render::MissionMark> marks_;
-};
 
 /// What `--background` reads, as far as the viewport offers it.
 render::Background backgroundOf(const std::string& text) {
@@ -130,8 +34,8 @@ Colour colourOf(ImU32 packed) {
 }  // namespace
 
 struct Editor::Impl {
-  Impl(const EditorOptions& chosen, std::unique_ptr<Desk> found, std::unique_ptr<render::Renderer> made, Fonts loaded, DrawDataRenderer drawer)
-      : options(chosen), session({chosen.library, chosen.scripted, chosen.missions}), desk(std::move(found)), renderer(std::move(made)), fonts(loaded), panels(std::move(drawer)), pictures(*renderer) {}
+  Impl(const EditorOptions& chosen, std::unique_ptr<Desk> found, std::unique_ptr<render::Renderer> made, Fonts loaded, KeptWindow kept)
+      : options(chosen), session({chosen.library, chosen.scripted, chosen.missions}), desk(std::move(found)), renderer(std::move(made)), fonts(loaded), window(std::move(kept)), pictures(*renderer) {}
 
   EditorOptions options;
   Session session;
@@ -141,7 +45,7 @@ struct Editor::Impl {
   std::unique_ptr<render::Renderer> renderer;
   Fonts fonts;
   Theme theme = darkTheme();
-  DrawDataRenderer panels;
+  KeptWindow window;
   RendererPictures pictures;
 };
 
@@ -152,9 +56,9 @@ Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options, s
   const Fonts fonts = loadFonts(options.scale);
   auto renderer = render::Renderer::create();
   if (!renderer) return tl::unexpected<Error>(renderer.error());
-  auto panels = DrawDataRenderer::create();
-  if (!panels) return tl::unexpected<Error>(panels.error());
-  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, desk ? std::move(desk) : std::make_unique<Desk>(options.folders, options.program, options.scripted), std::move(*renderer), fonts, std::move(*panels))));
+  auto window = KeptWindow::create();
+  if (!window) return tl::unexpected<Error>(window.error());
+  std::unique_ptr<Editor> out(new Editor(std::make_unique<Impl>(options, desk ? std::move(desk) : std::make_unique<Desk>(options.folders, options.program, options.scripted), std::move(*renderer), fonts, std::move(*window))));
   bringIn(out->desk().settings, out->state());
   if (!options.folders.settings.empty() && !out->desk().settings.tour_done) out->state().desk.tour = 0;
   Session& session = out->session();
@@ -179,10 +83,9 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   my.theme = my.state.light ? lightTheme() : darkTheme();
   applyTheme(my.theme, my.options.scale);
   my.pictures.enabled = pictures;
+  my.pictures.scenes = my.state.desk.view.pictures;
   my.pictures.scale = static_cast<double>(my.options.scale);
   my.pictures.background = colourOf(my.theme.background);
-  my.pictures.grid = my.state.desk.view.grid;
-  my.pictures.behind = backgroundOf(my.state.desk.view.background);
   my.items.beginFrame();
   my.state.hint.clear();
   my.state.hover.seen = false;
@@ -190,6 +93,10 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   handleKeys(ui);
   my.session.update(elapsed_s);
   my.desk->update(elapsed_s, my.session);
+  const DrawnQuality& quality = adaptQuality(my.session, my.state.desk.view, elapsed_s);
+  my.pictures.look = {my.state.desk.view.grid, backgroundOf(my.state.desk.view.background), quality.quality, my.state.desk.view.exposure_stops};
+  my.pictures.share = quality.share;
+  my.pictures.mission_smooth = quality.quality != render::Quality::draft;
   ImGui::PushFont(my.fonts.text);
   drawLayout(ui);
   drawTour(ui);
@@ -203,7 +110,14 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   if (!my.pictures.fault.empty()) my.session.notices.error = std::exchange(my.pictures.fault, {});
 }
 
-void Editor::draw() const { impl_->panels.draw(*ImGui::GetDrawData()); }
+void Editor::timePictures(PictureTimes* into) { impl_->pictures.times = into; }
+
+bool Editor::draw() {
+  const auto redrawn = impl_->pictures.takeRedrawn();
+  return impl_->window.update(*ImGui::GetDrawData(), redrawn, impl_->pictures.opaque());
+}
+
+const KeptWindow& Editor::window() const { return impl_->window; }
 
 std::optional<Error> Editor::takeGraphicsFault() { return std::exchange(impl_->pictures.failed, {}); }
 

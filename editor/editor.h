@@ -4,7 +4,6 @@
 #include "app/render/renderer.h"
 #include "editor/run.h"
 #include "editor/ui/context.h"
-#include "editor/ui/draw_data.h"
 
 #include <memory>
 #include <optional>
@@ -13,6 +12,9 @@
 #include <vector>
 
 namespace npsee::editor {
+
+class KeptWindow;
+struct PictureTimes;
 
 /// The whole editor on the current GL and ImGui contexts; whoever owns those feeds input and time. The same in a window and on
 /// OSMesa.
@@ -27,8 +29,12 @@ class Editor {
   /// explosion and the template are not drawn, which a script's frames that nobody sees need not be.
   void frame(double elapsed_s, std::optional<float> frame_ms, bool pictures);
 
-  /// Draws the finished frame into the bound framebuffer.
-  void draw() const;
+  /// From now on adds up what pictures cost; null = no longer.
+  void timePictures(PictureTimes* into);
+
+  /// Brings the window's picture up to date; false if it is as it was.
+  bool draw();
+  const KeptWindow& window() const;
   /// Why the driver could not draw what the last frame with pictures should show, once. The message is on the screen from the next frame on.
   std::optional<Error> takeGraphicsFault();
 

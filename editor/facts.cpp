@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace npsee::editor {
 namespace {
@@ -20,7 +21,7 @@ std::string yes(bool b) { return b ? "yes" : "no"; }
 void addExplosion(const Session& session, Facts& out) {
   const Document& document = session.document;
   const render::Camera& camera = session.camera;
-  const FrameFigures figures = figuresOf(session.frame());
+  const FrameFigures figures = figuresOf(session.frame(), session.explosion() != nullptr ? session.explosion()->layers() : std::span<const LayerSpan>());
   constexpr const char* kComparing[] = {"off", "split", "flip"};
   constexpr const char* kViews[] = {"splines", "polygons", "surface"};
   out.insert(out.end(), {
@@ -37,7 +38,7 @@ void addExplosion(const Session& session, Facts& out) {
       {"loop.from", shortest(session.playback.from_s)}, {"loop.to", shortest(session.playback.to_s)},
       {"mark.contact", session.design.moments.first_contact_s ? shortest(*session.design.moments.first_contact_s) : ""},
       {"mark.death", session.design.moments.last_death_s ? shortest(*session.design.moments.last_death_s) : ""},
-      {"fastest", shortest(figures.fastest_mps)}, {"energy", shortest(figures.energy_Jpkg)},
+      {"fastest", shortest(figures.fastest_mps)}, {"energy", shortest(figures.energy_Jpkg)}, {"energy.joules", shortest(figures.energy_J)},
       {"compare", kComparing[static_cast<int>(session.compare.mode)]}, {"compare.name", session.compare.name}, {"compare.split", shortest(session.compare.split)},
       {"compare.flipped", yes(session.compare.flipped)}, {"compare.alive", std::to_string(figuresOf(session.compare.frame).alive)},
       {"variations", yes(session.variations.open)},
@@ -90,6 +91,16 @@ void addMission(const MissionSession& mission, const UiState& state, Facts& out)
                          {"correct.right", shortest(said.right_m)}, {"correct.add", shortest(said.add_m)}});
 }
 
+bool ruling(const Editor& editor) { return editor.session().inMission() ? editor.session().mission().ruler.active : editor.state().desk.view.ruler; }
+
+/// What is laid over the effect in time.
+std::string overlays(const Design& design) {
+  std::string out;
+  for (const auto& [on, name] : {std::pair(design.show_onion, "onion"), std::pair(design.show_trails, "trails"), std::pair(design.show_speed, "speed"), std::pair(design.show_figures, "figures")})
+    if (on) out += (out.empty() ? "" : " ") + std::string(name);
+  return out;
+}
+
 /// What lies around the documents.
 void addDesk(const Editor& editor, Facts& out) {
   constexpr const char* kSheets[] = {"none", "history", "find", "messages", "export"};
@@ -98,9 +109,10 @@ void addDesk(const Editor& editor, Facts& out) {
   out.insert(out.end(), {
       {"autosaved", yes(recovery.safe(editor.session()))}, {"unsaved", std::to_string(recovery.found().size())}, {"outside", yes(editor.session().outside())},
       {"sheet", kSheets[static_cast<int>(editor.state().desk.sheet)]}, {"theme", editor.state().light ? "light" : "dark"},
+      {"export", std::string(exportName(editor.state().desk.exports.choice.kind))}, {"overlays", overlays(editor.session().design)},
       {"exports", std::to_string(editor.desk().exports().jobs().size())}, {"exporting", std::to_string(editor.desk().exports().running())},
-      {"grid", yes(view.grid)}, {"extent", yes(view.extent)}, {"background", view.background}, {"quality", view.quality}, {"share", shortest(view.share)},
-      {"ruler.length", shortest(view.points == 2 ? length(view.ends[1] - view.ends[0]) : 0.0)}, {"tour", std::to_string(editor.state().desk.tour + 1)},
+      {"grid", yes(view.grid)}, {"extent", yes(view.extent)}, {"background", view.background}, {"quality", view.quality}, {"drawn", qualityText(view.chooser.drawn())}, {"exposure", shortest(view.exposure_stops)},
+      {"ruling", yes(ruling(editor))}, {"ruler.length", shortest(view.points == 2 ? length(view.ends[1] - view.ends[0]) : 0.0)}, {"tour", std::to_string(editor.state().desk.tour + 1)},
       {"favourites", std::to_string(editor.desk().settings.favourites.size())}, {"recent", editor.desk().settings.recent.empty() ? "" : editor.desk().settings.recent.front()},
   });
 }

@@ -2,14 +2,19 @@
 
 #include "app/gl/objects.h"
 #include "app/render/image.h"
+#include "editor/measure.h"
 #include "editor/script/runner.h"
+#include "editor/ui/kept_window.h"
 #include "sim/core/files.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <utility>
 
 namespace npsee::editor {
 namespace {
@@ -25,50 +30,66 @@ void mapKeys() {
   for (const auto& [key, code] : kMap) io.KeyMap[key] = code;
 }
 
-/// What would be the window: a texture to draw into and read back.
-class Surface {
- public:
-  Surface(int width, int height) : width_(width), height_(height), texture_(gl::Texture::make()), target_(gl::Framebuffer::make()) {
-    glBindTexture(GL_TEXTURE_2D, texture_.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
-  }
-
-  render::Image picture(const Editor& editor) const {
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
-    glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    editor.draw();
-    render::Image image{width_, height_, std::vector<std::uint8_t>(4u * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_))};
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    // GL counts rows from below, pictures from above; what blending left in alpha means nothing.
-    const std::size_t row = 4u * static_cast<std::size_t>(width_);
-    for (int y = 0; y < height_ / 2; ++y) std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, height_ - 1 - y));
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-    return image;
-  }
-
- private:
-  int width_, height_;
-  gl::Texture texture_;
-  gl::Framebuffer target_;
-};
+render::Image picture(const Editor& editor) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  render::Image image{static_cast<int>(size.x), static_cast<int>(size.y), {}};
+  const std::size_t row = 4u * static_cast<std::size_t>(image.width);
+  image.rgba.resize(row * static_cast<std::size_t>(image.height));
+  editor.window().bindToRead();
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // GL counts rows from below, pictures from above; what blending left in alpha means nothing.
+  for (int y = 0; y < image.height / 2; ++y) std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, image.height - 1 - y));
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
 
 /// One frame of a sixtieth of a second; with its picture if `file` is given.
-Expected<void> step(Editor& editor, const Surface& surface, const std::filesystem::path& file) {
+Expected<void> step(Editor& editor, const std::filesystem::path& file) {
   ImGui::GetIO().DeltaTime = static_cast<float>(Playback::kFrame_s);
   ImGui::NewFrame();
   editor.frame(Playback::kFrame_s, std::nullopt, !file.empty());
   ImGui::Render();
   if (file.empty()) return {};
-  const render::Image picture = surface.picture(editor);
+  editor.draw();
+  const render::Image image = picture(editor);
   if (auto fault = editor.takeGraphicsFault()) return tl::unexpected<Error>(std::move(*fault));
   if (const char* error = gl::pendingError()) return fail(ErrorKind::graphics, std::string("the driver failed while drawing: ") + error + ".", "Unset GALLIUM_DRIVER and MESA_* variables.");
-  return render::writePng(picture, file);
+  return render::writePng(image, file);
+}
+
+/// Frames as a window draws them, one after the other without waiting for a display, for `seconds`.
+FrameMeter measure(Editor& editor, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto ms = [](Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); };
+  constexpr int kFirst = 5;  // make textures and compile shaders
+  FrameMeter meter;
+  PictureTimes pictures;
+  editor.timePictures(&pictures);
+  editor.session().goLive();
+  double elapsed_s = Playback::kFrame_s;
+  std::clock_t used = std::clock();
+  auto begin = Clock::now();
+  for (int frame = 0; frame <= kFirst || ms(Clock::now() - begin) < 1000.0 * seconds; ++frame) {
+    const auto start = Clock::now();
+    if (frame == kFirst) begin = start;
+    pictures = {};
+    ImGui::GetIO().DeltaTime = static_cast<float>(std::max(elapsed_s, 1e-4));
+    ImGui::NewFrame();
+    editor.frame(std::min(elapsed_s, 0.1), std::nullopt, true);
+    ImGui::Render();
+    const auto laid = Clock::now();
+    const bool drawn = editor.draw();
+    glFinish();
+    const auto end = Clock::now();
+    const std::clock_t used_now = std::clock();
+    const double spent = pictures.explosion_ms + pictures.template_ms + pictures.mission_ms;
+    const double cpu_ms = 1000.0 * static_cast<double>(used_now - std::exchange(used, used_now)) / CLOCKS_PER_SEC;
+    if (frame >= kFirst) meter.add({ms(end - start), cpu_ms, ms(laid - start) - spent, ms(end - laid), pictures, drawn, qualityText(editor.state().desk.view.chooser.drawn())});
+    elapsed_s = 1e-3 * ms(end - start);
+  }
+  editor.timePictures(nullptr);
+  return meter;
 }
 
 Expected<std::vector<ScriptCommand>> readScript(const std::filesystem::path& file) {
@@ -93,21 +114,22 @@ Expected<int> runHeadless(const HeadlessOptions& options, const std::function<vo
   chosen.scale = fittingScale(chosen.scale, options.width, options.height);
   auto editor = Editor::create(chosen);
   if (!editor) return tl::unexpected<Error>(editor.error());
-  const Surface surface(options.width, options.height);
 
   // Sizes settle in the second frame, and the camera with them.
   for (int i = 0; i < 3; ++i)
-    if (auto done = step(**editor, surface, {}); !done) return tl::unexpected<Error>(done.error());
+    if (auto done = step(**editor, {}); !done) return tl::unexpected<Error>(done.error());
   if (!options.editor.time_s) (*editor)->session().playback.seek(0.0);  // a mission starts paused
   ScriptRunner runner(std::move(*commands), options.script.string(), print);
   while (true) {
     const auto more = runner.next(**editor);
     if (!more) return tl::unexpected<Error>(more.error());
     if (!*more) break;
-    if (auto done = step(**editor, surface, runner.picture().value_or(std::filesystem::path())); !done) return tl::unexpected<Error>(done.error());
+    if (auto done = step(**editor, runner.picture().value_or(std::filesystem::path())); !done) return tl::unexpected<Error>(done.error());
   }
   if (!options.screenshot.empty())
-    if (auto done = step(**editor, surface, options.screenshot); !done) return tl::unexpected<Error>(done.error());
+    if (auto done = step(**editor, options.screenshot); !done) return tl::unexpected<Error>(done.error());
+  if (!runner.failure() && options.measure_s > 0.0)
+    for (const auto& [name, value] : measure(**editor, options.measure_s).figures()) print(name + '=' + value);
   if (!runner.failure()) return 0;
   std::fprintf(stderr, "%s\n", printable(*runner.failure()).c_str());
   return 1;

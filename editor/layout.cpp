@@ -43,7 +43,8 @@ void drawLeft(const PanelContext& ui, ImVec2 at, ImVec2 size) {
   if (ui.state.show_help) return panel(ui, "help", at, size, drawHelpPanel);
   if (sheetOpen(ui)) return panel(ui, "sheet", at, size, drawSheet);
   const float bar = ui.px(kBar);
-  const float below = std::floor(std::clamp(ui.px(ui.state.template_height), ui.px(120), std::max(ui.px(120), size.y - ui.px(120))));
+  // In a low window the library keeps room for two rows of pictures.
+  const float below = std::floor(std::clamp(ui.px(ui.state.template_height), ui.px(120), std::max(ui.px(120), size.y - ui.px(284))));
   panel(ui, "library", at, {size.x, size.y - below - bar}, drawLibraryPanel);
   // Downward makes the template smaller.
   ui.state.template_height = std::max(120.0f, ui.state.template_height - splitter(ui, "splitter:template", {at.x, at.y + size.y - below - bar}, {size.x, bar}, false));

@@ -1,5 +1,6 @@
 #include "editor/remember.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace npsee::editor {
@@ -34,7 +35,9 @@ void bringIn(const Settings& settings, UiState& state) {
   view.grid = settings.show_grid;
   view.extent = settings.show_extent;
   view.background = settings.background;
-  view.quality = settings.quality;
+  // A word that another version knew is none of ours.
+  view.quality = std::ranges::find(kQualityWishes, settings.quality) != kQualityWishes.end() ? settings.quality : std::string(kQualityWishes.front());
+  view.exposure_stops = settings.exposure_stops;
   view.bookmarks = settings.bookmarks;
 }
 
@@ -48,6 +51,7 @@ void noteDown(const UiState& state, Settings& settings) {
   settings.show_extent = view.extent;
   settings.background = view.background;
   settings.quality = view.quality;
+  settings.exposure_stops = view.exposure_stops;
   settings.bookmarks = view.bookmarks;
 }
 

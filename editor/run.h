@@ -30,6 +30,7 @@ struct HeadlessOptions {
   int width = 1440, height = 900;
   std::filesystem::path script;      ///< empty = none
   std::filesystem::path screenshot;  ///< picture of the last frame; empty = none
+  double measure_s = 0.0;            ///< after the script: frames as in a window for so long, and what they took; 0 = none
 };
 /// Runs the editor on OSMesa through a script. Returns the exit code 0, or 1 when an expectation of the script did not hold, with
 /// the message on stderr. `print` gets what the script prints. Errors: graphics, input, output.

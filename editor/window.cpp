@@ -1,5 +1,6 @@
 #include "app/gl/objects.h"
 #include "editor/editor.h"
+#include "editor/ui/kept_window.h"
 #include "editor/window_input.h"
 
 #include <glad/gl.h>
@@ -12,19 +13,17 @@
 namespace npsee::editor {
 namespace {
 
-/// Draws one frame into the window and returns its time without waiting for the display, ms.
-float drawFrame(Editor& editor, WindowInput& input, GLFWwindow* window, std::optional<float> last_ms) {
+/// Draws one frame into the window and returns its time without waiting for the display, ms; nothing where the window shows it already.
+std::optional<float> drawFrame(Editor& editor, WindowInput& input, GLFWwindow* window, std::optional<float> last_ms) {
   const double start = glfwGetTime();
   input.newFrame();
   ImGui::NewFrame();
   // A pause of the machine is not a jump of the effect.
   editor.frame(std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1), last_ms, true);
   ImGui::Render();
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glDisable(GL_SCISSOR_TEST);
-  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-  editor.draw();
+  const bool changed = editor.draw();
+  if (!input.takeExposed() && !changed) return std::nullopt;
+  editor.window().copyTo(0);
   const auto ms = static_cast<float>(1000.0 * (glfwGetTime() - start));
   glfwSwapBuffers(window);
   return ms;
@@ -42,21 +41,31 @@ Expected<void> checkDriver(Editor& editor) {
 Expected<void> runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
   std::string title;
   std::optional<float> ms;
+  float smooth = 0.0f;
+  double told = 0.0;
   // The cross in the title bar speaks after what was typed and clicked before it: that waits in queues, and acts in the frame after.
   int until_closed = -1;
+  double busy = glfwGetTime();
   while (!editor.session().quitting()) {
-    // While nothing moves by itself, a frame is drawn for input, and now and then for tooltips and clicks that wait.
+    // While nothing moves by itself, panels are laid out for input, and now and then for tooltips, clicks that wait and files that change;
+    // nothing is drawn unless it looks different.
+    constexpr double kAttentive_s = 3.0;
     if (editor.session().moving() || input.waiting() || until_closed >= 0) glfwPollEvents();
-    else glfwWaitEventsTimeout(0.05);
+    else glfwWaitEventsTimeout(glfwGetTime() - busy < kAttentive_s ? 0.05 : 0.25);
+    if (input.waiting()) busy = glfwGetTime();
     if (glfwWindowShouldClose(window) != GLFW_FALSE) {
       glfwSetWindowShouldClose(window, GLFW_FALSE);
       until_closed = 2;
     }
     if (until_closed >= 0 && !input.waiting() && until_closed-- == 0) editor.session().quit();
     if (const auto dropped = input.takeDropped(); !dropped.empty()) editor.session().drop(dropped);
-    const float measured = drawFrame(editor, input, window, ms);
+    const auto measured = drawFrame(editor, input, window, ms);
     if (auto fine = checkDriver(editor); !fine) return fine;
-    ms = ms ? *ms + 0.1f * (measured - *ms) : measured;
+    if (measured) {
+      // To a tenth of a millisecond twice a second: figures that tremble cannot be read, and make every frame another one.
+      smooth = smooth > 0.0f ? smooth + 0.1f * (*measured - smooth) : *measured;
+      if (const double now = glfwGetTime(); !ms || (now - told > 0.5 && editor.session().moving())) ms = smooth, told = now;
+    }
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
   }
   return {};

@@ -22,6 +22,7 @@ WindowInput::~WindowInput() {
   ImGui_ImplGlfw_Shutdown();
   glfwSetCursorPosCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
+  glfwSetWindowRefreshCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
@@ -30,6 +31,7 @@ void WindowInput::listen() {
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)});
   });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->exposed_ = true; });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->dropped_.assign(paths, paths + count);
   });

@@ -24,6 +24,8 @@ class WindowInput {
   void newFrame();
   /// True while events wait for the next frame.
   bool waiting() const { return !events_.empty(); }
+  /// True if what the window shows was lost since the last call.
+  bool takeExposed() { return std::exchange(exposed_, false); }
   /// Files dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped() { return std::exchange(dropped_, {}); }
 
@@ -40,6 +42,7 @@ class WindowInput {
   float x_, y_;
   std::array<bool, 3> down_{};
   std::vector<std::filesystem::path> dropped_;
+  bool exposed_ = true;
 };
 
 }  // namespace npsee::editor

@@ -4,9 +4,8 @@
 usage: scripts/ui_goldens.py build/dev/npsee [--update]
 
 Each state is reached by a script and photographed without a display. Beside the pictures lies the driver and processor class that drew them:
-there nothing may differ, elsewhere 0.01 % of the pixels by more than 2 levels. The
-explosion itself is left out (black background, after its end), and so are shipped thumbnails: other tests look at those. With --update the
-pictures are drawn anew; it names what it wrote, and still fails.
+there nothing may differ, elsewhere 0.01 % of the pixels by more than 2 levels. Explosions and missions themselves are left out, and so are
+shipped thumbnails: other tests look at those. With --update the pictures are drawn anew; it names what it wrote, and still fails.
 """
 import json
 import pathlib
@@ -17,16 +16,24 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "editor" / "golden"
-QUIET = "set time 20\nclick toggle:view\nclick item:Black\nkey Escape\n"
+QUIET = "set time 20\npictures off\n"
+IN_MISSION = "set time 30\npictures off\nclick observer:fo1\n"
 AWAY = "mouse 3 200\nwait 40\n"
-# name: script, further options
+PRESET, MISSION = "library/classic.npsee.json", "ridge_low.mission.json"
+# name: file, script, further options
 STATES = {
-    "main": ("", ["--size", "1024x640"]),
-    "history": ("set fragments.speed_mean 61\nset fragments.count 240\nkey ctrl+Z\nkey ctrl+H\n", ["--size", "1024x640"]),
-    "find": ("key ctrl+P\ntype mag\n", ["--size", "1024x640"]),
-    "export": ("key ctrl+E\nclick \"field:export folder\"\nkey ctrl+A\ntype pictures\nkey Enter\n", ["--size", "1024x640"]),
-    "question": ("set fragments.speed_mean 61\nkey ctrl+Q\n", ["--size", "1024x640"]),
-    "light_large": ("click menu:View\nclick \"item:Light theme\"\nkey Escape\n", ["--size", "1440x900", "--scale", "1.5"]),
+    "main": (PRESET, QUIET, ["--size", "1024x640"]),
+    "history": (PRESET, QUIET + "set fragments.speed_mean 61\nset fragments.count 240\nkey ctrl+Z\nkey ctrl+H\n", ["--size", "1024x640"]),
+    "find": (PRESET, QUIET + "key ctrl+P\ntype mag\n", ["--size", "1024x640"]),
+    "export": (PRESET, QUIET + "key ctrl+E\nclick \"field:export folder\"\nkey ctrl+A\ntype pictures\nkey Enter\n", ["--size", "1024x640"]),
+    "question": (PRESET, QUIET + "set fragments.speed_mean 61\nkey ctrl+Q\n", ["--size", "1024x640"]),
+    "light_large": (PRESET, QUIET + "click menu:View\nclick \"item:Light theme\"\nkey Escape\n", ["--size", "1440x900", "--scale", "1.5"]),
+    "compare": (PRESET, QUIET + "key shift+C\nset fragments.speed_mean 61\n", ["--size", "1024x640"]),
+    "variations": (PRESET, QUIET + "key shift+V\n", ["--size", "1024x640"]),
+    "cheat_sheet": (PRESET, QUIET + "key F1\n", ["--size", "1024x640"]),
+    "mission": (MISSION, IN_MISSION, ["--size", "1024x640"]),
+    "mission_fire": (MISSION, IN_MISSION + "click tab:Fire\nclick button:take\n", ["--size", "1440x900"]),
+    "mission_light_large": (MISSION, IN_MISSION + "click menu:View\nclick \"item:Light theme\"\nkey Escape\nclick tab:Shots\n", ["--size", "1440x900", "--scale", "1.5"]),
 }
 
 
@@ -42,15 +49,17 @@ def machine(program: str, folder: pathlib.Path) -> dict:
 
 
 def draw(program: str, name: str, folder: pathlib.Path) -> pathlib.Path:
-    script, options = STATES[name]
+    file, script, options = STATES[name]
     library = folder / "library"
     library.mkdir(exist_ok=True)
     preset = library / "classic.npsee.json"
     if not preset.exists():
         shutil.copyfile(ROOT / "presets" / "classic_1993.npsee.json", preset)
-    (folder / "script.txt").write_text(QUIET + script + AWAY)
+    missions = ROOT / "assets" / "missions"
+    path = file if file == PRESET else str(missions / file)
+    (folder / "script.txt").write_text(script + AWAY)
     out = folder / f"{name}.png"
-    done = subprocess.run([program, "edit", "library/classic.npsee.json", "--library", "library", "--headless", "--script", "script.txt", "--screenshot", str(out), *options],
+    done = subprocess.run([program, "edit", path, "--library", "library", "--headless", "--script", "script.txt", "--screenshot", str(out), *options],
                           capture_output=True, text=True, cwd=folder)
     if done.returncode != 0:
         sys.exit(f"{name}: exit code {done.returncode}\n{done.stderr}")

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string file, script, screenshot, library, size, time, scale = "1";
+  std::string file, script, screenshot, library, size, time, measure, scale = "1";
   bool headless = false, print_state = false, remember = false;
 };
 
@@ -70,9 +70,11 @@ Expected<editor::EditorOptions> editorOptions(const Options& options) {
 }
 
 int edit(const Options& options) {
-  const bool needs_headless = !options.script.empty() || !options.screenshot.empty();
-  if (needs_headless && !options.headless) return report(fail(ErrorKind::usage, "--script and --screenshot work without a window.", "Add --headless.").value());
-  if (options.headless && !needs_headless) return report(fail(ErrorKind::usage, "--headless alone has nothing to do.", "Add --script FILE, --screenshot PICTURE.png, or both.").value());
+  const bool needs_headless = !options.script.empty() || !options.screenshot.empty() || !options.measure.empty();
+  if (needs_headless && !options.headless) return report(fail(ErrorKind::usage, "--script, --screenshot and --measure work without a window.", "Add --headless.").value());
+  if (options.headless && !needs_headless) return report(fail(ErrorKind::usage, "--headless alone has nothing to do.", "Add --script FILE, --screenshot PICTURE.png, --measure SECONDS, or several of them.").value());
+  const auto measured = options.measure.empty() ? Expected<double>(0.0) : parseQuantity(options.measure, Unit::second);
+  if (!measured || *measured < 0.0 || *measured > 600.0) return report(fail(ErrorKind::usage, "--measure " + options.measure + " is not a time to measure for.", "Write seconds up to 600, e.g. 5.").value());
   if (options.remember && !options.headless) return report(fail(ErrorKind::usage, "--remember belongs to --headless.", "The window always remembers; set XDG_CONFIG_HOME, XDG_STATE_HOME and XDG_CACHE_HOME to keep things elsewhere.").value());
   const auto size = parseSize(options.size.empty() ? "1440x900" : options.size);
   if (!size) return report(size.error());
@@ -86,7 +88,7 @@ int edit(const Options& options) {
     const auto done = editor::runWindow({*chosen, size->first, size->second, !options.size.empty(), options.print_state}, print);
     return done ? printed : report(done.error());
   }
-  const auto code = editor::runHeadless({*chosen, size->first, size->second, options.script, options.screenshot}, print);
+  const auto code = editor::runHeadless({*chosen, size->first, size->second, options.script, options.screenshot, *measured}, print);
   if (!code) return report(code.error());
   return *code != 0 ? *code : printed;
 }
@@ -108,6 +110,7 @@ void addEdit(CLI::App& app, Outcome& outcome) {
   command->add_flag("--headless", options->headless, "No window: run a script on the software renderer");
   command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
   command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");
+  command->add_option("--measure", options->measure, "After the script, draw frames as in a window for so long, and print what they took (with --headless)")->type_name("SECONDS");
   command->add_option("--size", options->size, "Size of the window in pixels; that of the last time, at first 1440x900")->type_name("WxH");
   command->add_option("--library", options->library, "Folder whose presets and missions the library lists; the shipped ones by default")->type_name("FOLDER");
   command->add_option("--time", options->time, "Start paused at this moment instead of playing")->type_name("SECONDS");

@@ -33,12 +33,19 @@ void Desk::update(double elapsed_s, Session& session) {
   saveSettings(elapsed_s);
   watchLibrary(elapsed_s, session);
   thumbnails_.update(wait_);
-  if (auto told = exports_.update(false)) {
-    if (told->starts_with("The ")) session.notices.error = *told;
-    else session.notices.note = *told;
-  }
+  tell(exports_.update(false), session.notices);
+  session.exporting = exports_.running();
+  if (std::string problem = recovery_.takeProblem(); !problem.empty()) problem_ += (problem_.empty() ? "" : "\n") + problem;
   if (auto wrong = writer_.takeError()) session.notices.error = "What is unsaved or set cannot be kept for the next start.\n  " + *wrong;
   noteMessages(session.notices);
+}
+
+/// Shows what became of exports; each is kept among the messages, though only the last of its kind is seen.
+void Desk::tell(const std::vector<Exports::Told>& told, Notices& notices) {
+  for (const Exports::Told& one : told) {
+    (one.error ? notices.error : notices.note) = one.text;
+    noteMessages(notices);
+  }
 }
 
 /// The file of the document shown becomes the newest of the recent ones.
@@ -67,27 +74,13 @@ void Desk::saveSettings(double elapsed_s) {
   unsaved_s_ += elapsed_s;
   if (unsaved_s_ < kAfter_s) return;
   unsaved_s_ = 0.0;
+  // Another editor may have set something else meanwhile: only what was set here is written over it.
+  const std::filesystem::path file = folders_.settings / "settings.json";
+  writer_.wait();
+  const auto text = readTextFile(file);
+  const auto held = text ? parseSettings(*text, file.string()) : Expected<ReadSettings>(ReadSettings{settings, {}});
+  writer_.write(file, settingsText(held ? changedSettings(held->settings, saved_, settings) : settings));
   saved_ = settings;
-  writer_.write(folders_.settings / "settings.json", settingsText(settings));
-}
-
-const LibraryEntry& Desk::entry(const fs::path& file) {
-  const FileStamp stamp = stampOf(file);
-  auto& [known, held] = entries_[file];
-  if (known == stamp && !held.path.empty()) return held;
-  known = stamp;
-  const auto take = [&](const auto& document) {
-    if (document) held = {file, document->title, document->description, {}, true};
-    else held = {file, {}, document.error().text(), {}, false};
-  };
-  if (isMissionFile(file)) {
-    take(loadScenario(file));
-  } else {
-    const auto preset = loadPreset(file);
-    take(preset);
-    if (preset) held.tags = preset->tags;
-  }
-  return held;
 }
 
 bool Desk::favourite(const fs::path& file) const { return std::ranges::find(settings.favourites, file.string()) != settings.favourites.end(); }
@@ -123,15 +116,18 @@ Expected<std::string> Desk::commandLine(const Document& document, const ExportCh
       if (const auto changes = settingsBetween(*held, document.preset())) return line(fs::absolute(document.path(), ignored), *changes);
   if (folders_.state.empty()) return fail(ErrorKind::usage, "A command line needs a file: these changes cannot be written with --set.", "Save the preset first.");
   const std::string text = document.text();
-  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text).substr(0, 12) + ".npsee.json");
+  // A folder for each: models of the same name may differ.
+  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text + document.preset().folder.path.string()).substr(0, 12)) / (document.name() + ".npsee.json");
   fs::create_directories(copy.parent_path(), ignored);
-  if (auto written = writeFileAtomically(copy, text); !written) return tl::unexpected<Error>(written.error());
+  auto written = writeFileAtomically(copy, text);
+  if (written) written = bringModels(document.preset(), copy.parent_path());
+  if (!written) return tl::unexpected<Error>(written.error());
   return line(copy, {});
 }
 
 void Desk::settle(Session& session) {
   thumbnails_.update(true);
-  if (const auto told = exports_.update(true)) (told->starts_with("The ") ? session.notices.error : session.notices.note) = *told;
+  tell(exports_.update(true), session.notices);
   noteMessages(session.notices);
 }
 

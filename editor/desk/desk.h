@@ -9,9 +9,7 @@
 
 #include <deque>
 #include <filesystem>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace npsee::editor {
@@ -30,8 +28,6 @@ class Desk {
   Exports& exports() { return exports_; }
   const Exports& exports() const { return exports_; }
 
-  /// What a list shows of a preset or mission file, read again only when it has changed.
-  const LibraryEntry& entry(const std::filesystem::path& file);
   bool favourite(const std::filesystem::path& file) const;
   void flipFavourite(const std::filesystem::path& file);
 
@@ -55,6 +51,7 @@ class Desk {
 
  private:
   void noteMessages(const Notices& notices);
+  void tell(const std::vector<Exports::Told>& told, Notices& notices);
   void noteFile(const Session& session);
   void saveSettings(double elapsed_s);
   void watchLibrary(double elapsed_s, Session& session);
@@ -65,7 +62,6 @@ class Desk {
   Recovery recovery_;
   Thumbnails thumbnails_;
   Exports exports_;
-  std::map<std::filesystem::path, std::pair<FileStamp, LibraryEntry>> entries_;
   double unwatched_s_ = 0.0;  ///< since the library was last looked at
   std::vector<FileStamp> library_stamps_;
   std::string problem_;      ///< found while starting, not yet told

@@ -1,5 +1,6 @@
 #include "editor/desk/exports.h"
 
+#include "editor/document/document.h"
 #include "sim/core/text.h"
 
 #include <npsee/parameters.h>
@@ -38,17 +39,23 @@ std::optional<std::pair<int, int>> progressIn(std::string_view text) {
   return out;
 }
 
-/// The messages among the lines: all that is no progress.
+/// The messages among the lines: all that is neither progress nor what drivers say to the world.
 std::string messageIn(std::string_view text) {
   std::string out;
   for (const std::string_view line : splitAt(text, '\n'))
-    if (!trimmed(line).empty() && !progressIn(line)) out += (out.empty() ? "" : "\n") + std::string(line);
+    if (!trimmed(line).empty() && !progressIn(line) && line.find("shader cache") == std::string_view::npos && !line.starts_with("MESA")) out += (out.empty() ? "" : "\n") + std::string(line);
   return out;
 }
 
 }  // namespace
 
 std::string_view exportName(ExportKind kind) { return kKinds[static_cast<std::size_t>(kind)].name; }
+fs::path firstOutput(const ExportChoice& choice) {
+  std::string name = choice.output.filename().string();
+  if (const std::size_t number = name.find("%04d"); choice.kind == ExportKind::sequence && number != std::string::npos) name.replace(number, 4, "0000");
+  return choice.output.parent_path() / name;
+}
+
 std::string exportFile(ExportKind kind, const std::string& name) { return name + std::string(kKinds[static_cast<std::size_t>(kind)].ending); }
 
 std::vector<std::string> renderArguments(const fs::path& preset, const std::vector<std::string>& settings, const ExportChoice& choice, const ExportView& view) {
@@ -64,6 +71,7 @@ std::vector<std::string> renderArguments(const fs::path& preset, const std::vect
   add("--size", size(choice.width, choice.height));
   add("--camera", choice.whole_effect ? "auto" : render::cameraText(view.camera));
   add("--background", choice.kind == ExportKind::sprite_sheet ? "transparent" : choice.background);
+  if (view.exposure_stops != 0.0) add("--exposure", shortest(view.exposure_stops));
   if (choice.kind == ExportKind::sprite_sheet) out.emplace_back("--index");
   return out;
 }
@@ -99,11 +107,15 @@ int Exports::running() const { return static_cast<int>(std::ranges::count(jobs_,
 Expected<void> Exports::start(const Preset& preset, const ExportChoice& choice, const ExportView& view) {
   if (program_.empty()) return fail(ErrorKind::output, "There is no program that renders.", "Start the editor as `npsee edit`.");
   if (choice.output.filename().empty()) return fail(ErrorKind::usage, "The name of the file to export is missing.", "Write one.");
+  if (std::ranges::any_of(jobs_, [&](const Job& job) { return job.state == Job::State::running && job.output == choice.output; }))
+    return fail(ErrorKind::usage, choice.output.string() + " is being exported already.", "Wait for it, cancel it, or choose another name.");
   std::string folder = (fs::temp_directory_path() / "npsee-export-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr) return fail(ErrorKind::output, "No temporary folder can be made in " + fs::temp_directory_path().string() + ".", "Make room there.");
   const fs::path copy = fs::path(folder) / "preset.npsee.json";
   std::error_code ignored;
-  if (auto saved = savePreset(preset, copy); !saved) {
+  auto saved = savePreset(preset, copy);
+  if (saved) saved = bringModels(preset, folder);
+  if (!saved) {
     fs::remove_all(folder, ignored);
     return saved;
   }
@@ -142,19 +154,25 @@ void Exports::finish(Job& job, Work& work) {
   if (job.message.empty()) job.message = "The renderer ended with exit code " + std::to_string(work.child.exitCode()) + ".";
 }
 
-std::optional<std::string> Exports::update(bool wait) {
-  std::optional<std::string> told;
+std::vector<Exports::Told> Exports::update(bool wait) {
+  std::vector<Told> told;
   for (std::size_t i = 0; i < jobs_.size(); ++i) {
     if (!works_[i]) continue;
     Job& job = jobs_[i];
     Work& work = *works_[i];
     if (wait) work.child.wait();
     const bool runs = work.child.running();
-    if (const auto now = progressIn(work.child.err())) std::tie(job.done, job.total) = *now;
+    // Only what has come since: a long video says much.
+    const std::string_view err = work.child.err();
+    if (const auto now = progressIn(err.substr(std::min(work.read, err.size())))) std::tie(job.done, job.total) = *now;
+    const std::size_t line = err.rfind('\n');
+    work.read = line == std::string_view::npos ? 0 : line;
     if (runs) continue;
     finish(job, work);
     works_[i].reset();
-    told = job.state == Job::State::done ? "Exported " + job.output.string() : job.state == Job::State::cancelled ? "Cancelled the " + job.label : "The " + job.label + " was not made.\n  " + job.message;
+    if (job.state == Job::State::done) told.push_back({"Exported " + job.output.string(), false});
+    else if (job.state == Job::State::cancelled) told.push_back({"Cancelled the " + job.label, false});
+    else told.push_back({"The " + job.label + " was not made.\n  " + job.message, true});
   }
   return told;
 }

@@ -27,6 +27,8 @@ struct ExportChoice {
   std::filesystem::path output;
 };
 std::string_view exportName(ExportKind kind);
+/// The first file that an export writes.
+std::filesystem::path firstOutput(const ExportChoice& choice);
 /// The file name that an export of `name` gets at first.
 std::string exportFile(ExportKind kind, const std::string& name);
 
@@ -34,6 +36,7 @@ std::string exportFile(ExportKind kind, const std::string& name);
 struct ExportView {
   double time_s = 0.0, duration_s = 0.0;
   render::Camera camera;
+  double exposure_stops = 0.0;
 };
 
 /// `npsee render`'s arguments for a preset file, `settings` as `--set` takes them.
@@ -61,19 +64,25 @@ class Exports {
   const std::deque<Job>& jobs() const { return jobs_; }
   int running() const;
 
-  /// Error kinds output and usage.
+  /// Error kinds output and usage: another export writes the same file.
   Expected<void> start(const Preset& preset, const ExportChoice& choice, const ExportView& view);
   void cancel(std::size_t job);
   /// Takes finished ones off the list.
   void clearFinished();
-  /// Collects progress; `wait` until all are done. Returns what can be told, if something has ended.
-  std::optional<std::string> update(bool wait);
+  /// What became of an export.
+  struct Told {
+    std::string text;
+    bool error = false;
+  };
+  /// Collects progress; `wait` until all are done. Returns what can be told of those that have ended.
+  std::vector<Told> update(bool wait);
 
  private:
   struct Work {
     Child child;
     std::filesystem::path folder;  ///< of the copy
     bool cancelled = false;
+    std::size_t read = 0;          ///< of what it has said
   };
   void finish(Job& job, Work& work);
 

@@ -7,12 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace npsee::editor {
 namespace {
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr double kEvery_s = 0.5;
 constexpr std::string_view kLock = ".lock";
+constexpr std::uint64_t kNever = ~std::uint64_t{0};  ///< no document's revision
 constexpr std::array kModes{WorkMode::explosion, WorkMode::mission};
 
 const FileDocument& documentOf(const Session& session, WorkMode mode) {
@@ -61,7 +64,13 @@ Recovery::Recovery(fs::path folder, Writer& writer) : folder_(std::move(folder))
   std::error_code ignored;
   fs::create_directories(folder_, ignored);
   search();
-  while (!lockOwn()) {}
+  // Another editor that starts just now may take a fresh lock for one left behind.
+  constexpr int kTries = 20;
+  Locked locked = Locked::taken;
+  for (int i = 0; i < kTries && locked == Locked::taken; ++i) locked = lockOwn();
+  if (locked == Locked::yes) return;
+  lock_ = Descriptor();
+  problem_ = "Unsaved work cannot be kept for the case that the editor ends unasked: no file can be locked in " + folder_.string() + ".\n  Save more often, or set XDG_STATE_HOME to a folder on a local disk.";
 }
 
 Recovery::~Recovery() {
@@ -89,15 +98,20 @@ void Recovery::removeLock(const fs::path& lock) {
 
 fs::path Recovery::recordOf(const std::string& session, WorkMode mode) const { return folder_ / (session + (mode == WorkMode::mission ? ".mission.unsaved" : ".preset.unsaved")); }
 
-/// Makes this session's lock. False if another editor, just starting, took it for one left behind: then another name is tried.
-bool Recovery::lockOwn() {
+/// Makes this session's lock. `taken` if another editor, just starting, took it for one left behind: then another name is tried.
+Recovery::Locked Recovery::lockOwn() {
   std::string name = (folder_ / ("session-XXXXXX" + std::string(kLock))).string();
   lock_ = Descriptor(::mkostemps(name.data(), static_cast<int>(kLock.size()), O_CLOEXEC));
-  if (!lock_.valid()) return true;  // nothing can be kept here; update() says so when it matters
+  if (!lock_.valid()) return Locked::impossible;
   struct stat status {};
-  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0 || ::fstat(lock_.get(), &status) != 0 || status.st_nlink == 0) return false;
+  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK || errno == EINTR) return Locked::taken;
+    ::unlink(name.c_str());
+    return Locked::impossible;
+  }
+  if (::fstat(lock_.get(), &status) != 0 || status.st_nlink == 0) return Locked::taken;
   own_ = fs::path(name).stem().string();
-  return true;
+  return Locked::yes;
 }
 
 void Recovery::search() {
@@ -116,10 +130,22 @@ void Recovery::searchBeside(const fs::path& lock) {
   bool any = false;
   for (const WorkMode mode : kModes) {
     const fs::path file = recordOf(lock.stem().string(), mode);
+    if (!fs::exists(file, ignored)) continue;
     const auto text = readTextFile(file);
-    if (!text) continue;
+    if (!text) {
+      // It stays, with its lock, for a start at which it can be read.
+      any = true;
+      problem_ = "Unsaved work was found that cannot be read now.\n  " + text.error().text();
+      continue;
+    }
     auto work = parseUnsaved(*text, file.string());
-    if (!work || savedMeanwhile(*work)) {
+    if (!work) {
+      fs::path bad = file;
+      fs::rename(file, bad += ".bad", ignored);
+      problem_ = "Unsaved work was found that makes no sense; it is kept as " + bad.string() + ".\n  " + work.error().text();
+      continue;
+    }
+    if (savedMeanwhile(*work)) {
       fs::remove(file, ignored);
       continue;
     }
@@ -161,8 +187,7 @@ void Recovery::update(double elapsed_s, const Session& session, bool wait) {
     }
   }
   for (const WorkMode mode : kModes) update(elapsed_s, documentOf(session, mode), mode);
-  // What was brought back is removed only after it was written under our own name: the tasks are done in order. A question about other
-  // unsaved work may be open until then.
+  // What was brought back is removed only after it was written under our own name. A question about other unsaved work may be open until then.
   if (!adopted_.empty() && session.asking() == Intent::none && safe(session)) {
     for (const Record& record : adopted_) {
       writer_.remove(record.file);
@@ -176,24 +201,28 @@ void Recovery::update(double elapsed_s, const Session& session, bool wait) {
 void Recovery::update(double elapsed_s, const FileDocument& document, WorkMode mode) {
   Kept& kept = kept_[static_cast<std::size_t>(mode)];
   kept.since_s += elapsed_s;
+  if (kept.written && writer_.fateOf(kept.number) == Writer::Fate::failed) {
+    constexpr double kAgain_s = 5.0;  // a full disk is not asked all the time
+    kept = {kNever, false, 0, kEvery_s - kAgain_s};
+  }
   if (kept.revision == document.revision() && kept.written == document.dirty()) return;
   if (!document.dirty()) {
     if (kept.written) writer_.remove(recordOf(own_, mode));
-    kept = {document.revision(), false, kept.since_s};
+    kept = {document.revision(), false, 0, kept.since_s};
     return;
   }
   if (kept.since_s < kEvery_s || own_.empty()) return;
   std::error_code ignored;
   const fs::path file = document.path().empty() ? fs::path() : fs::absolute(document.path(), ignored);
-  writer_.write(recordOf(own_, mode), unsavedText({mode, file, document.text()}));
-  kept = {document.revision(), true, 0.0};
+  const std::uint64_t number = writer_.write(recordOf(own_, mode), unsavedText({mode, file, document.text()}));
+  kept = {document.revision(), true, number, 0.0};
 }
 
 bool Recovery::safe(const Session& session) const {
   return std::ranges::all_of(kModes, [&](WorkMode mode) {
     const FileDocument& document = documentOf(session, mode);
     const Kept& kept = kept_[static_cast<std::size_t>(mode)];
-    return !document.dirty() || (kept.written && kept.revision == document.revision());
+    return !document.dirty() || (kept.written && kept.revision == document.revision() && writer_.fateOf(kept.number) == Writer::Fate::written);
   });
 }
 

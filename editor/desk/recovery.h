@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace npsee::editor {
@@ -27,6 +28,8 @@ class Recovery {
   /// The first one found is brought back into the session, once its question about other unsaved work is answered; or thrown away.
   void bringBack(Session& session);
   bool bringingBack() const { return pending_; }
+  /// Why unsaved work cannot be kept or read, once.
+  std::string takeProblem() { return std::exchange(problem_, {}); }
   void throwAway();
   /// What was found stays for the next start.
   void later() { found_.clear(); }
@@ -42,10 +45,12 @@ class Recovery {
   struct Kept {
     std::uint64_t revision = 0;  ///< that is on the disk, or on its way
     bool written = false;
+    std::uint64_t number = 0;    ///< of the writer's task
     double since_s = 1e9;        ///< the last write
   };
   std::filesystem::path recordOf(const std::string& session, WorkMode mode) const;
-  bool lockOwn();
+  enum class Locked { yes, taken, impossible };
+  Locked lockOwn();
   void search();
   void searchBeside(const std::filesystem::path& lock);
   void update(double elapsed_s, const FileDocument& document, WorkMode mode);
@@ -66,6 +71,7 @@ class Recovery {
   std::vector<Descriptor> taken_;    ///< locks of dead sessions, so that no other editor offers the same
   std::vector<Record> adopted_;      ///< brought back, but not yet written under our own name
   bool pending_ = false;             ///< the first one found is being brought back; there may be a question before
+  std::string problem_;
   int recoveries_ = 0;               ///< of the session before that
 };
 

@@ -40,6 +40,7 @@ constexpr std::array kRows{
     Row{"show_grid", &Settings::show_grid},
     Row{"background", &Settings::background},
     Row{"quality", &Settings::quality},
+    Row{"exposure_stops", &Settings::exposure_stops, -4, 4},
     Row{"favourites", &Settings::favourites},
     Row{"recent", &Settings::recent},
     Row{"bookmarks", &Settings::bookmarks},
@@ -86,6 +87,23 @@ Expected<ReadSettings> parseSettings(std::string_view text, std::string_view fil
     if (std::string wrong = take(row, *found, out.settings); !wrong.empty()) out.faults.push_back(json->fault("/" + std::string(row.key), std::move(wrong)));
   }
   return out;
+}
+
+Settings changedSettings(Settings held, const Settings& before, const Settings& now) {
+  // Of the files each counts by itself.
+  const auto has = [](const std::vector<std::string>& list, const std::string& file) { return std::ranges::find(list, file) != list.end(); };
+  std::vector<std::string> favourites = held.favourites, recent = now.recent;
+  std::erase_if(favourites, [&](const std::string& file) { return has(before.favourites, file) && !has(now.favourites, file); });
+  for (const std::string& file : now.favourites)
+    if (!has(before.favourites, file) && !has(favourites, file)) favourites.push_back(file);
+  if (before.recent == now.recent) recent = held.recent;
+  for (const std::string& file : held.recent)
+    if (!has(recent, file) && recent.size() < kMaxRecent) recent.push_back(file);
+  for (const Row& row : kRows)
+    std::visit([&](auto member) { if (before.*member != now.*member) held.*member = now.*member; }, row.member);
+  held.favourites = std::move(favourites);
+  held.recent = std::move(recent);
+  return held;
 }
 
 LoadedSettings loadSettings(const std::filesystem::path& file) {

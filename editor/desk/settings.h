@@ -22,6 +22,7 @@ struct Settings {
   bool show_extent = false, show_grid = true;
   std::string background = "sky";       ///< as `--background` reads it
   std::string quality = "automatic";
+  double exposure_stops = 0.0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -34,6 +35,9 @@ struct ReadSettings {
   std::vector<Fault> faults;
 };
 Expected<ReadSettings> parseSettings(std::string_view text, std::string_view file);
+
+/// `held` with what `now` has otherwise than `before`: several editors write the same file.
+Settings changedSettings(Settings held, const Settings& before, const Settings& now);
 
 /// Reads the file of a start. A missing file gives the defaults; a bad one too, with what was wrong in `problem`.
 struct LoadedSettings {

@@ -1,6 +1,7 @@
 #include "editor/desk/thumbnails.h"
 
 #include "app/render/shipped_assets.h"
+#include "editor/document/document.h"
 #include "sim/core/files.h"
 #include "sim/core/sha256.h"
 
@@ -21,6 +22,17 @@ constexpr std::string_view kEnding = ".npsee.json";
 bool there(const fs::path& file) {
   std::error_code ignored;
   return fs::is_regular_file(file, ignored);
+}
+
+/// The bytes of the models that lie beside a preset: they are part of what is seen.
+std::string modelsOf(const std::string& text, const fs::path& file) {
+  std::string out;
+  const auto preset = parsePreset(text, file.string());
+  if (!preset) return out;
+  for (const Layer& layer : preset->layers)
+    if (layer.form == Form::pieces)
+      if (const auto model = readTextFile(file.parent_path() / layer.pieces_model)) out += '\n' + *model;
+  return out;
 }
 
 /// The picture that is shipped beside a preset which nobody has changed.
@@ -50,7 +62,7 @@ void Thumbnails::prune() const {
   }
   if (files.size() <= kMostKept) return;
   std::ranges::sort(files);
-  for (std::size_t i = 0; i + kMostKept / 2 < files.size(); ++i) fs::remove(files[i].second, error);
+  for (std::size_t i = 0; i + kMostKept / 2 < files.size(); ++i) fs::remove_all(files[i].second, error);
 }
 
 fs::path Thumbnails::picture(const fs::path& preset) {
@@ -66,20 +78,29 @@ Thumbnails::Known Thumbnails::look(const fs::path& preset, const FileStamp& stam
   if (!text) return {stamp, {}};
   if (fs::path shipped = shippedPicture(preset, *text); !shipped.empty()) return {stamp, std::move(shipped)};
   if (folder_.empty() || program_.empty()) return {stamp, {}};
-  fs::path picture = folder_ / (sha256(*text) + ".png");
-  if (!there(picture) && asked_.insert(picture).second) wanted_.push_back({std::move(*text), picture});
+  fs::path picture = folder_ / (sha256(*text + modelsOf(*text, preset)) + ".png");
+  if (!there(picture) && asked_.insert(picture).second) wanted_.push_back({std::move(*text), preset.parent_path(), picture});
   return {stamp, std::move(picture)};
+}
+
+fs::path Thumbnails::workFolder() const {
+  fs::path out = now_.picture;
+  return out.replace_extension(".work");
 }
 
 void Thumbnails::startNext() {
   now_ = std::move(wanted_.front());
   wanted_.pop_front();
   std::error_code ignored;
-  fs::create_directories(folder_, ignored);
+  fs::create_directories(workFolder(), ignored);
   // The bytes whose fingerprint names the picture, whatever the file holds by now.
-  fs::path recipe = now_.picture;
-  recipe.replace_extension(kEnding);
-  if (!writeFileAtomically(recipe, now_.text)) return;
+  const fs::path recipe = workFolder() / ("preset" + std::string(kEnding));
+  auto preset = parsePreset(now_.text, recipe.string());
+  if (preset) preset->folder.path = now_.folder;
+  if (!preset || !writeFileAtomically(recipe, now_.text) || !bringModels(*preset, workFolder())) {
+    fs::remove_all(workFolder(), ignored);
+    return;
+  }
   auto child = Child::start(program_, {"render", recipe.string(), "-o", now_.picture.string(), "--size", "256x160", "--jobs", "1", "--progress", "never"});
   if (child) child_ = std::move(*child);
 }
@@ -89,10 +110,8 @@ void Thumbnails::update(bool wait) {
     if (child_ && wait) child_->wait();
     if (child_ && !child_->running()) {
       child_.reset();
-      fs::path recipe = now_.picture;
-      recipe.replace_extension(kEnding);
       std::error_code ignored;
-      fs::remove(recipe, ignored);
+      fs::remove_all(workFolder(), ignored);
     }
     if (!child_ && !wanted_.empty()) startNext();
   } while (wait && busy());

@@ -32,10 +32,12 @@ class Thumbnails {
   };
   struct Job {
     std::string text;  ///< of the preset
+    std::filesystem::path folder;  ///< of its file, where its models lie
     std::filesystem::path picture;
   };
   Known look(const std::filesystem::path& preset, const FileStamp& stamp);
   void startNext();
+  std::filesystem::path workFolder() const;
   void prune() const;
 
   std::filesystem::path folder_, program_;

@@ -13,17 +13,26 @@ Writer::Writer() : thread_([this](const std::stop_token& stop) { work(stop); }) 
 
 Writer::~Writer() { wait(); }
 
-void Writer::write(fs::path file, std::string text) { add({std::move(file), std::move(text)}); }
+std::uint64_t Writer::write(fs::path file, std::string text) { return add({std::move(file), std::move(text)}); }
 void Writer::remove(fs::path file) { add({std::move(file), std::nullopt}); }
 
-void Writer::add(Task task) {
+Writer::Fate Writer::fateOf(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  if (number > ended_) return Fate::waiting;
+  return failed_.contains(number) ? Fate::failed : Fate::written;
+}
+
+std::uint64_t Writer::add(Task task) {
+  std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
+    number = task.number = ++asked_;
     // Only the newest of what waits is worth a write; the order among different files stays.
     if (!tasks_.empty() && tasks_.back().file == task.file) tasks_.back() = std::move(task);
     else tasks_.push_back(std::move(task));
   }
   changed_.notify_all();
+  return number;
 }
 
 void Writer::wait() {
@@ -53,7 +62,11 @@ void Writer::work(const std::stop_token& stop) {
     }
     lock.lock();
     working_ = false;
-    if (!done) error_ = done.error().text();
+    ended_ = task.number;
+    if (!done) {
+      error_ = done.error().text();
+      failed_.insert(task.number);
+    }
     changed_.notify_all();
   }
 }

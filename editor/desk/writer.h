@@ -1,10 +1,12 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -20,8 +22,10 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Folders are made where they are missing. A file still waiting to be written is overtaken.
-  void write(std::filesystem::path file, std::string text);
+  /// Folders are made where they are missing. A file still waiting to be written is overtaken. Gives a number to ask about later.
+  std::uint64_t write(std::filesystem::path file, std::string text);
+  enum class Fate { waiting, written, failed };
+  Fate fateOf(std::uint64_t number) const;
   void remove(std::filesystem::path file);
   /// Returns when all is done.
   void wait();
@@ -32,14 +36,17 @@ class Writer {
   struct Task {
     std::filesystem::path file;
     std::optional<std::string> text;  ///< none = remove
+    std::uint64_t number = 0;
   };
-  void add(Task task);
+  std::uint64_t add(Task task);
   void work(const std::stop_token& stop);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Task> tasks_;
   bool working_ = false;
+  std::uint64_t asked_ = 0, ended_ = 0;  ///< numbers of the newest tasks
+  std::set<std::uint64_t> failed_;
   std::optional<std::string> error_;
   std::jthread thread_;  ///< last, so that it ends before what it uses
 };

@@ -20,11 +20,15 @@ struct Compare {
 
   Shelf shelf;
   Frame frame;  ///< A at the moment shown
+  double time_s = 0.0;  ///< that moment
   const std::shared_ptr<const Explosion>& explosion() const { return shelf.at(0); }
   bool on() const { return mode != Mode::off && preset != nullptr; }
 
   /// Lets time pass: compiles A where that is new and evaluates it at `time_s`.
-  void update(double time_s, bool wait);
+  void update(double at_s, bool wait);
+
+ private:
+  std::shared_ptr<const Explosion> evaluated_;  ///< that the frame is of
 };
 
 /// Nine neighbours: the edited preset in the middle, variations of it around.
@@ -36,8 +40,12 @@ struct Variations {
   std::array<std::shared_ptr<const Preset>, kCount> presets;
   Shelf shelf;
   std::array<Frame, kCount> frames;
+  double time_s = 0.0;  ///< the moment that they show
 
-  void update(double time_s, bool wait);
+  void update(double at_s, bool wait);
+
+ private:
+  std::array<std::shared_ptr<const Explosion>, kCount> evaluated_;
 };
 
 }  // namespace npsee::editor

@@ -30,17 +30,21 @@ Preset Snapshot::fresh() {
 
 void Snapshot::settle() { layer = std::clamp(layer, 0, std::max(0, static_cast<int>(content->layers.size()) - 1)); }
 
-Expected<Preset> Document::broughtTo(const std::filesystem::path& folder) const {
+Expected<void> bringModels(const Preset& preset, const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  for (const Layer& one : preset().layers) {
+  for (const Layer& one : preset.layers) {
     std::error_code error;
-    const fs::path from = preset().folder.path / one.pieces_model, target = folder / one.pieces_model;
-    // A file that is there already stays.
+    const fs::path from = preset.folder.path / one.pieces_model, target = folder / one.pieces_model;
     if (one.form != Form::pieces || !fs::is_regular_file(from, error) || fs::exists(target, error)) continue;
     fs::create_directories(target.parent_path(), error);
     if (!error) fs::copy_file(from, target, error);
     if (error) return fail(ErrorKind::output, target.string() + ", which the preset names, cannot be written: " + error.message() + ".", "Choose another folder, or copy it there by hand.");
   }
+  return {};
+}
+
+Expected<Preset> Document::broughtTo(const std::filesystem::path& folder) const {
+  if (auto brought = bringModels(preset(), folder); !brought) return tl::unexpected<Error>(brought.error());
   return preset();
 }
 

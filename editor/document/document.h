@@ -31,6 +31,10 @@ struct Snapshot {
 inline bool sameContent(const Snapshot& a, const Snapshot& b) { return a.content == b.content || *a.content == *b.content; }
 using History = BasicHistory<Snapshot>;
 
+/// Puts the models that a preset names beside its file (Preset::folder) into another folder, where it is to be read as well. A file that is
+/// there already stays. Error kind output.
+Expected<void> bringModels(const Preset& preset, const std::filesystem::path& folder);
+
 /// The preset being edited with its file, selection and history. Knows no window, no GL and no ImGui.
 class Document : public EditedDocument<Snapshot> {
  public:

@@ -42,8 +42,8 @@ class EditedDocument : public FileDocument {
     return {};
   }
 
-  Expected<void> takeText(std::string_view text, std::string_view label) override {
-    auto read = State::parse(text, path_);
+  Expected<void> takeText(std::string_view text, std::string_view label, const std::filesystem::path& file = {}) override {
+    auto read = State::parse(text, file.empty() ? path_ : file);
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     return edit(label, {}, [&](Content& changed) { changed = std::move(*read); });
   }

@@ -47,8 +47,9 @@ class FileDocument {
   virtual std::uint64_t revision() const = 0;
   /// The content as a file holds it.
   virtual std::string text() const = 0;
-  /// Takes over the content of such a text as one step, named `label`. Error kinds input and usage.
-  virtual Expected<void> takeText(std::string_view text, std::string_view label) = 0;
+  /// Takes over the content of such a text as one step, named `label`. What it names lies beside `file`, or beside the document's own where that
+  /// is empty. Error kinds input and usage.
+  virtual Expected<void> takeText(std::string_view text, std::string_view label, const std::filesystem::path& file = {}) = 0;
 
   /// True if the file on the disk holds something else than what was last read from it or written to it.
   virtual bool changedOutside() = 0;

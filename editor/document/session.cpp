@@ -14,29 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// Patience with the compiler in a window: a quarter of a frame at 60 Hz; a script waits as long as it takes.
-constexpr milliseconds kPatience{4}, kForever{600'000};
+/// Patience with the compiler in a window: a quarter of a frame at 60 Hz.
+constexpr milliseconds kPatience{4};
 /// The first picture may take a little longer, so that most presets are there from the first frame.
 constexpr milliseconds kFirstPatience{150};
 /// Particles above which evaluating is shared between threads; below, starting them costs more.
 constexpr std::size_t kManyParticles = 50'000;
-
-/// What a folder holds of one kind of file, with titles.
-template <class Load>
-std::vector<LibraryEntry> readLibrary(const fs::path& folder, std::string_view ending, const Load& load) {
-  std::vector<LibraryEntry> out;
-  if (folder.empty()) return out;
-  for (const FolderListing::Entry& entry : listFolder(folder).entries) {
-    if (entry.folder || !entry.name.ends_with(ending)) continue;
-    const fs::path path = fs::absolute(folder).lexically_normal() / entry.name;
-    const auto document = load(path);
-    if (!document) out.push_back({path, {}, document.error().text(), {}, false});
-    else out.push_back({path, document->title, document->description, {}, true});
-    if constexpr (requires { document->tags; })
-      if (document) out.back().tags = document->tags;
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -46,13 +29,18 @@ Session::Session(SessionOptions options)
 }
 
 void Session::readLibraries() {
-  library_ = readLibrary(options_.library, ".npsee.json", loadPreset);
-  missions_ = readLibrary(options_.missions, ".mission.json", loadScenario);
+  library_ = files_known_.folder(options_.library, ".npsee.json");
+  missions_ = files_known_.folder(options_.missions, ".mission.json");
 }
 
 Session::~Session() = default;
 
 void Session::update(double elapsed_s) {
+  // What was asked about has ended by itself, or was saved meanwhile: then there is nothing left to ask.
+  if (intent_ == Intent::quit && exporting == 0 && !endangered()) {
+    if (wait_for_exports_) goOn();
+    else intent_ = Intent::none;
+  }
   watchFile(elapsed_s);
   if (!inMission()) return updateExplosion(elapsed_s);
   mission_->view.presets.clear();
@@ -65,34 +53,48 @@ bool Session::moving() const { return inMission() ? mission_->clock.playing || m
 void Session::updateExplosion(double elapsed_s) {
   if (requested_revision_ != document.revision()) {
     requested_revision_ = document.revision();
-    compiler_.request(document.snapshot(), requested_revision_);
+    compiler_.request(document.snapshot());
   }
+  probeLayer();
   takeCompiled();
   playback.advance(elapsed_s);
   updateCompared();
   design.ease.update(document.snapshot(), document.hasLayer() ? document.selected() : -1, elapsed_s, scripted());
   if (!explosion_) return;
   evaluate();
-  showSolo();
-  const auto end = frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count);
   sampleLaunch();
-  probeLayer();
-  alive_ = std::accumulate(frame_.alive.begin(), end, std::size_t{0});
 }
 
-/// The frame shown. While the effect is played in a window the next ones are evaluated ahead, on the grid of moments that will be shown.
-void Session::evaluate() {
+/// Whether the next frames are evaluated ahead: while the effect is played in a window, on the grid of moments that will be shown.
+bool Session::aheadOfTime() const {
   constexpr std::size_t kFewParticles = 2'000;  // evaluated faster than a thread is woken
-  const std::size_t count = explosion_->particleCount();
-  const double step = Playback::kFrame_s * playback.speed;
-  const bool ahead = playback.playing && !options_.wait_for_compile && count >= kFewParticles && count * kFramesAhead <= kMostQueuedParticles;
-  const double shown = ahead ? std::min(onGrid(playback.time_s, step), playback.duration_s) : playback.time_s;
-  if (!ahead || !queue_.take(explosion_.get(), shown, frame_)) {
-    const int threads = count > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
-    explosion_->at(shown, frame_, render::kSceneFields, threads);
+  const std::size_t count = explosion_ ? explosion_->particleCount() : 0;
+  return playback.playing && !options_.wait_for_compile && count >= kFewParticles && count * kFramesAhead <= kMostQueuedParticles;
+}
+
+double Session::shownTime() const { return aheadOfTime() ? std::min(onGrid(playback.time_s, Playback::kFrame_s * playback.speed), playback.duration_s) : playback.time_s; }
+
+/// The frame shown, unless it is there already.
+void Session::evaluate() {
+  std::erase_if(design.solo, [&](const std::string& name) { return findLayer(document.preset(), name) < 0; });
+  Evaluated wanted{explosion_, shownTime(), design.solo};
+  if (wanted != evaluated_) {
+    if (!aheadOfTime() || !queue_.take(explosion_.get(), wanted.time_s, frame_)) {
+      const int threads = explosion_->particleCount() > kManyParticles ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)) : 1;
+      explosion_->at(wanted.time_s, frame_, render::kSceneFields, threads);
+    }
+    evaluated_ = std::move(wanted);
+    ++frame_stamp_;
+    showSolo();
+    alive_ = std::accumulate(frame_.alive.begin(), frame_.alive.begin() + static_cast<std::ptrdiff_t>(frame_.count), std::size_t{0});
   }
-  if (!ahead) return;
+  if (aheadOfTime()) planAhead();
+}
+
+void Session::planAhead() {
   // The next frame is expected as long after this one as this came after the last.
+  const double shown = evaluated_.time_s, step = Playback::kFrame_s * playback.speed;
+  if (shown == shown_s_) return;
   const double stride = std::clamp(std::round((shown - shown_s_) / step), 1.0, 12.0);
   shown_s_ = shown;
   std::vector<double> next;
@@ -102,11 +104,10 @@ void Session::evaluate() {
 }
 
 void Session::sampleLaunch() {
-  constexpr std::size_t kLargest = 200'000;
+  constexpr std::size_t kLargest = 20'000;  // of more, the probe says enough
   const std::pair<const Explosion*, int> now{explosion_.get(), document.selected()};
   if (now == sampled_) return;
   sampled_ = now;
-  probed_ = {};
   sample_ = {};
   if (!document.hasLayer() || explosion_->particleCount() > kLargest) return;
   const Layer& layer = document.layer();
@@ -120,14 +121,19 @@ void Session::sampleLaunch() {
     sample_.speed_mps.push_back(std::hypot(launch_.vx[i], launch_.vy[i], launch_.vz[i]));
     if (grown > 0.0) sample_.size_m.push_back(static_cast<float>(launch_.size[i] / grown));
   }
+  showHistograms();
 }
 
+/// The selected layer's launch, found beside; until then the one before is shown.
 void Session::probeLayer() {
   constexpr std::size_t kMost = 1200;
   const std::pair now{document.snapshot(), document.hasLayer() ? document.selected() : -1};
   if (now == probed_) return;
   probed_ = now;
-  design.probe = probeLaunch(*now.first, now.second, kMost);
+  compiler_.requestProbe(now.first, now.second, kMost);
+}
+
+void Session::showHistograms() {
   design.histograms.clear();
   const auto add = [&](const char* key, const std::vector<float>& exact, const std::vector<float>& probe) {
     const Histogram histogram = histogramOf(exact.empty() ? probe : exact);
@@ -140,7 +146,6 @@ void Session::probeLayer() {
 }
 
 void Session::showSolo() {
-  std::erase_if(design.solo, [&](const std::string& name) { return findLayer(document.preset(), name) < 0; });
   if (design.solo.empty()) return;
   for (const LayerSpan& span : explosion_->layers()) {
     if (design.shows(span.name)) continue;
@@ -152,18 +157,27 @@ void Session::showSolo() {
 }
 
 void Session::takeCompiled() {
-  auto result = compiler_.poll(options_.wait_for_compile ? kForever : explosion_ ? kPatience : kFirstPatience);
-  if (!result) return;
-  if (!result->explosion) {
-    notices.error = result->explosion.error().text() + "\n  The picture still shows the last good state.";
-    return;
+  // A script waits for all that was asked for.
+  while (auto result = options_.wait_for_compile ? compiler_.pollAll() : compiler_.poll(explosion_ ? kPatience : kFirstPatience)) {
+    takeResult(std::move(*result));
+    if (!options_.wait_for_compile) return;
   }
-  // The first particles of an empty preset come into view; afterwards the camera belongs to the person.
-  if (explosion_ && explosion_->particleCount() == 0) frame_on_compile_ = true;
-  explosion_ = std::move(*result->explosion);
-  design.moments = result->moments;
-  playback.setDuration(explosion_->duration_s());
-  if (std::exchange(frame_on_compile_, false)) frameAll();
+}
+
+void Session::takeResult(Compiler::Result result) {
+  if (result.explosion && !*result.explosion) {
+    notices.error = result.explosion->error().text() + "\n  The picture still shows the last good state.";
+  } else if (result.explosion) {
+    // The first particles of an empty preset come into view; afterwards the camera belongs to the person.
+    if (explosion_ && explosion_->particleCount() == 0) frame_on_compile_ = true;
+    explosion_ = std::move(**result.explosion);
+    playback.setDuration(explosion_->duration_s());
+    if (std::exchange(frame_on_compile_, false)) frameAll();
+  }
+  if (result.moments) design.moments = *result.moments;
+  if (!result.probe) return;
+  design.probe = std::move(*result.probe);
+  showHistograms();
 }
 
 void Session::frameAll() {

@@ -8,6 +8,7 @@
 #include "editor/document/document.h"
 #include "editor/document/folder.h"
 #include "editor/document/frame_queue.h"
+#include "editor/document/library.h"
 #include "editor/document/playback.h"
 
 #include <npsee/explosion.h>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,14 +39,6 @@ struct FilePanel {
   FolderListing listing;
   std::string name;  ///< file name or path as typed
   std::filesystem::path replacing;  ///< another file that would be overwritten; the button then says so and asks once more
-};
-
-/// A preset or mission of the library. One that cannot be read is listed with its reason.
-struct LibraryEntry {
-  std::filesystem::path path;
-  std::string title, description;
-  std::string tags;  ///< of a preset, with commas
-  bool readable = true;
 };
 
 /// What the person is told. An error stays until it is dismissed or followed by another; a note goes with the next edit.
@@ -103,11 +97,17 @@ class Session {
   const Explosion* explosion() const { return explosion_.get(); }
   const std::shared_ptr<const Explosion>& explosionShared() const { return explosion_; }
   const Frame& frame() const { return frame_; }
+  /// The moment it shows: while playing ahead of time, the next one of the grid.
+  double shownTime() const;
+  /// Differs when the frame is another one.
+  std::uint64_t frameStamp() const { return frame_stamp_; }
   std::size_t alive() const { return alive_; }
   const LaunchSample& launchSample() const { return sample_; }
   bool compiling() const { return compiler_.busy(); }
   /// Scripts: nothing depends on how long a frame takes.
   bool scripted() const { return options_.wait_for_compile; }
+  /// From now on as in a window, which nobody has to wait for.
+  void goLive() { options_.wait_for_compile = false; }
   /// True while something changes by itself: time passes, or something is being computed.
   bool moving() const;
 
@@ -128,6 +128,11 @@ class Session {
   void open(const std::filesystem::path& path);
   void quit();
   Intent asking() const { return intent_; }
+  /// How many exports are at work, which quitting would cancel; told by whoever runs them.
+  int exporting = 0;
+  /// True if the question is about them and not about unsaved work. Saving is then answered by waiting for them.
+  bool askingAboutExports() const { return intent_ == Intent::quit && exporting > 0 && !endangered(); }
+  bool waitingForExports() const { return askingAboutExports() && wait_for_exports_; }
   /// Whose unsaved work the question is about.
   std::string askingAbout() const;
   void answer(Answer answer);
@@ -161,6 +166,8 @@ class Session {
 
   const std::vector<LibraryEntry>& presets() const { return library_; }
   const std::vector<LibraryEntry>& missionFiles() const { return missions_; }
+  /// What a list shows of any preset or mission file.
+  const LibraryEntry& libraryEntry(const std::filesystem::path& file) { return files_known_.entry(file); }
   /// Reads the libraries' folders again.
   void readLibraries();
   const SessionOptions& options() const { return options_; }
@@ -196,11 +203,16 @@ class Session {
   void updateExplosion(double elapsed_s);
   bool loadNow(const std::filesystem::path& path);
   void recoverNow();
+  void forgetDesign();
   void watchFile(double elapsed_s);
   void takeCompiled();
   void sampleLaunch();
+  bool aheadOfTime() const;
   void evaluate();
+  void planAhead();
   void probeLayer();
+  void showHistograms();
+  void takeResult(Compiler::Result result);
   void showSolo();
 
   SessionOptions options_;
@@ -208,6 +220,14 @@ class Session {
   std::shared_ptr<const Explosion> explosion_;
   Frame frame_;
   FrameQueue queue_{render::kSceneFields};
+  /// What the frame shows.
+  struct Evaluated {
+    std::shared_ptr<const Explosion> explosion;
+    double time_s = -1.0;
+    std::set<std::string> solo;
+    friend bool operator==(const Evaluated&, const Evaluated&) = default;
+  } evaluated_;
+  std::uint64_t frame_stamp_ = 0;
   double shown_s_ = 0.0;  ///< moment of the last frame that was played
   std::size_t alive_ = 0;
   LaunchSample sample_;
@@ -227,8 +247,10 @@ class Session {
   double unwatched_s_ = 0.0;  ///< since the file was last looked at
   std::array<bool, 2> outside_{};  ///< by mode: its file was changed by another program
   std::array<bool, 2> given_up_{};  ///< by mode: its unsaved work may be lost
+  bool wait_for_exports_ = false, exports_given_up_ = false;
   bool proceed_after_save_ = false;
   bool quitting_ = false;
+  Library files_known_;
   std::vector<LibraryEntry> library_, missions_;
   std::unique_ptr<MissionSession> mission_;
 };

@@ -8,14 +8,14 @@
 namespace npsee::editor {
 
 void Session::updateCompared() {
-  compare.update(playback.time_s, scripted());
+  compare.update(shownTime(), scripted());
   // Another preset may have been opened that is too large for nine.
   if (explosion_ != nullptr && explosion_->particleCount() > Variations::kMostParticles) variations.open = false;
   if (!variations.open) return;
   // Variations are those of the preset as it is now and of the amount chosen now.
   const std::pair now{document.revision(), design.amount};
   if (now != varied_) gatherVariations();
-  variations.update(playback.time_s, scripted());
+  variations.update(shownTime(), scripted());
 }
 
 void Session::compareWith(std::shared_ptr<const Preset> preset, std::string name) {

@@ -22,6 +22,7 @@ void Session::begin(Intent intent, fs::path path) {
   intent_ = intent;
   intent_path_ = std::move(path);
   given_up_ = {};
+  wait_for_exports_ = exports_given_up_ = false;
   document.endMerge();
   mission_->document.endMerge();
   goOn();
@@ -40,7 +41,7 @@ std::optional<WorkMode> Session::endangered() const {
 /// Asks about what would be lost, shown while it is asked about, or does what was wanted.
 void Session::goOn() {
   if (const auto which = endangered()) mode = *which;
-  else proceed();
+  else if (!askingAboutExports() || exports_given_up_) proceed();
 }
 
 std::string Session::askingAbout() const { return file().name(); }
@@ -58,8 +59,18 @@ void Session::proceed() {
   } else {
     document.startNew();
     frame_on_compile_ = true;
+    forgetDesign();
   }
   notices = {};
+}
+
+/// What was said about layers of one preset says nothing about another's of the same name.
+void Session::forgetDesign() {
+  design.solo.clear();
+  design.locked.clear();
+  compare.mode = Compare::Mode::off;
+  compare.preset = nullptr;
+  variations.open = false;
 }
 
 /// False where the file cannot be read.
@@ -72,6 +83,7 @@ bool Session::loadNow(const fs::path& path) {
     frame_on_compile_ = true;
     playback.time_s = 0.0;
     playback.clearRange();
+    forgetDesign();
   }
   outside_[static_cast<std::size_t>(mode)] = false;
   closeFiles();
@@ -79,8 +91,8 @@ bool Session::loadNow(const fs::path& path) {
 }
 
 std::string UnsavedWork::name() const {
-  const std::string name = file.filename().string();
-  return name.empty() ? "untitled" : name.substr(0, name.find('.', 1));
+  const std::string name = bareName(file);
+  return name.empty() ? "untitled" : name;
 }
 
 void Session::recoverNow() {
@@ -92,7 +104,7 @@ void Session::recoverNow() {
     else document.startNew();
     frame_on_compile_ = true;
   }
-  if (!took(file().takeText(intent_work_.text, "Unsaved work"))) return;
+  if (!took(file().takeText(intent_work_.text, "Unsaved work", intent_work_.file))) return;
   ++recoveries_;
   notices = {{}, "Brought back the unsaved work on " + intent_work_.name()};
 }
@@ -139,6 +151,13 @@ void Session::keepOwn() {
 void Session::answer(Answer answer) {
   if (intent_ == Intent::none) return;
   const auto about = endangered();
+  if (!about && askingAboutExports()) {
+    if (answer == Answer::cancel) intent_ = Intent::none;
+    wait_for_exports_ = answer == Answer::save;
+    exports_given_up_ = answer == Answer::discard;
+    if (exports_given_up_) goOn();
+    return;
+  }
   if (!about) return goOn();
   if (answer == Answer::discard) {
     given_up_[static_cast<std::size_t>(*about)] = true;

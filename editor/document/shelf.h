@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -28,13 +29,15 @@ class Shelf {
   bool busy() const;
   /// What became of a preset; null while it is not finished, or where it cannot be compiled.
   const std::shared_ptr<const Explosion>& at(std::size_t index) const;
-  const Presets& presets() const { return asked_; }
+  /// Why a preset cannot be compiled; empty while it is not known.
+  const std::string& fault(std::size_t index) const;
 
  private:
   void work(const std::stop_token& stop);
 
   Presets asked_;
   std::vector<std::shared_ptr<const Explosion>> shown_;
+  std::vector<std::string> faults_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   Presets wanted_;
@@ -42,6 +45,7 @@ class Shelf {
   std::size_t generation_ = 0;
   bool computing_ = false;
   std::vector<std::shared_ptr<const Explosion>> done_;
+  std::vector<std::string> failed_;  ///< reasons
   std::jthread thread_;  ///< last, so that it ends before what it uses
 };
 

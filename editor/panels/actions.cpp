@@ -2,6 +2,7 @@
 
 #include "editor/document/camera_moves.h"
 #include "editor/panels/design_actions.h"
+#include "editor/panels/desk/view_tools.h"
 #include "editor/panels/mission/panels.h"
 #include "editor/panels/panels.h"
 #include "editor/script/parser.h"
@@ -31,12 +32,6 @@ bool showsView(Ui ui) {
   return ui.session.template_view == view;
 }
 
-/// A view along an axis that has the whole effect in sight.
-void lookFrom(Ui ui, const char* name) {
-  if (ui.session.explosion() == nullptr) return;
-  if (const auto camera = render::parseCamera(name, ui.session.explosion()->extent(), ui.session.aspect())) ui.session.camera = *camera;
-}
-
 using enum render::TemplateView;
 using Mode = FilePanel::Mode;
 constexpr auto kExplosion = WorkMode::explosion;
@@ -54,10 +49,10 @@ const std::array kCommon{
     Action{"File", "Quit", "ctrl+Q", [](Ui ui) { ui.session.quit(); }, nullptr, nullptr, true},
     Action{"Edit", "Undo", "ctrl+Z", [](Ui ui) { ui.session.undo(); }, canUndo},
     Action{"Edit", "Redo", "ctrl+shift+Z", [](Ui ui) { ui.session.redo(); }, canRedo},
-    Action{"View", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }, nullptr, nullptr, false, kExplosion},
-    Action{"View", "From the front", "1", [](Ui ui) { lookFrom(ui, "front"); }, nullptr, nullptr, false, kExplosion},
-    Action{"View", "From the side", "2", [](Ui ui) { lookFrom(ui, "side"); }, nullptr, nullptr, false, kExplosion},
-    Action{"View", "From above", "3", [](Ui ui) { lookFrom(ui, "top"); }, nullptr, nullptr, false, kExplosion},
+    Action{"Camera", "Frame all", "F", [](Ui ui) { ui.session.frameAll(); }, nullptr, nullptr, false, kExplosion},
+    Action{"Camera", "From the front", "1", [](Ui ui) { lookAlong(ui, "front"); }, nullptr, nullptr, false, kExplosion},
+    Action{"Camera", "From the side", "2", [](Ui ui) { lookAlong(ui, "side"); }, nullptr, nullptr, false, kExplosion},
+    Action{"Camera", "From above", "3", [](Ui ui) { lookAlong(ui, "top"); }, nullptr, nullptr, false, kExplosion},
     Action{"View", "Template as splines", "", showView<splines>, nullptr, showsView<splines>, true, kExplosion},
     Action{"View", "Template as polygons", "", showView<polygons>, nullptr, showsView<polygons>, false, kExplosion},
     Action{"View", "Template as surface", "", showView<surface>, nullptr, showsView<surface>, false, kExplosion},

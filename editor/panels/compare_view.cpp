@@ -1,5 +1,6 @@
 #include "editor/panels/compare_view.h"
 
+#include "editor/panels/desk/view_tools.h"
 #include "editor/ui/controls.h"
 
 #include <algorithm>
@@ -20,6 +21,18 @@ void drawName(const PanelContext& ui, float x, float y, bool right, float room, 
     rowText({at.x + ui.px(14) + letter_width, at.y}, width - letter_width - ui.px(20), height, ui.theme.text, name);
   }
   ImGui::PopFont();
+}
+
+/// What stands where A would: B's picture is none of A.
+void drawAbsence(const PanelContext& ui, const Box& box, float width) {
+  const std::string& fault = ui.session.compare.shelf.fault(0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(box.at, {box.at.x + width, box.end().y}, ui.theme.background);
+  list.PushClipRect(box.at, {box.at.x + width, box.end().y}, true);
+  const std::string words = fault.empty() ? "A is being computed" : "A cannot be shown.\n" + fault;
+  const float room = std::max(width - ui.px(40), ui.px(60));
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {box.at.x + ui.px(20), std::floor(box.at.y + 0.4f * box.height)}, fault.empty() ? ui.theme.dim : ui.theme.error, words.c_str(), nullptr, room);
+  list.PopClipRect();
 }
 
 void dragDivider(const PanelContext& ui, const Box& box) {
@@ -92,8 +105,9 @@ void drawCompare(const PanelContext& ui, const Box& box) {
   const bool split = compare.mode == Compare::Mode::split;
   const auto share = static_cast<float>(split ? compare.split : compare.flipped ? 1.0 : 0.0);
   if (share > 0.0f && compare.explosion() != nullptr)
-    if (const ImTextureID texture = ui.pictures.other(ui.session, *compare.preset, *compare.explosion(), compare.frame, 0, static_cast<int>(box.width), static_cast<int>(box.height)))
+    if (const ImTextureID texture = ui.pictures.other(ui.session, {*compare.preset, compare.explosion(), compare.frame, compare.time_s}, 0, drawnPixels(ui, box.width), drawnPixels(ui, box.height)))
       list.AddImage(texture, box.at, {box.at.x + share * box.width, box.end().y}, {0, 1}, {share, 0});
+  if (share > 0.0f && compare.explosion() == nullptr) drawAbsence(ui, box, share * box.width);
   const float y = box.end().y - ui.px(106);
   const std::string name = ui.session.file().name() + ", as edited";
   if (split) {
@@ -123,8 +137,8 @@ bool drawCell(const PanelContext& ui, std::size_t index, const Box& box) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(box.at, box.end(), ui.theme.background);
   const auto& explosion = variations.shelf.at(index);
-  if (explosion == nullptr) rowText({box.at.x + ui.px(10), box.at.y}, box.width - ui.px(20), box.height, ui.theme.dim, "being computed");
-  else if (const ImTextureID texture = ui.pictures.other(ui.session, *variations.presets[index], *explosion, variations.frames[index], 1 + static_cast<int>(index), static_cast<int>(box.width), static_cast<int>(box.height)))
+  if (explosion == nullptr) rowText({box.at.x + ui.px(10), box.at.y}, box.width - ui.px(20), box.height, variations.shelf.fault(index).empty() ? ui.theme.dim : ui.theme.error, variations.shelf.fault(index).empty() ? "being computed" : "cannot be computed: " + variations.shelf.fault(index));
+  else if (const ImTextureID texture = ui.pictures.other(ui.session, {*variations.presets[index], explosion, variations.frames[index], variations.time_s}, 1 + static_cast<int>(index), drawnPixels(ui, box.width), drawnPixels(ui, box.height)))
     list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
   if (hovered || middle) list.AddRect(box.at, box.end(), hovered && !middle ? ui.theme.accent : ui.theme.text, 0.0f, 0, ui.px(2));
   ImGui::PushFont(ui.fonts.small);
@@ -141,8 +155,12 @@ bool drawCell(const PanelContext& ui, std::size_t index, const Box& box) {
 void drawVariationHead(const PanelContext& ui, const Box& box) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(box.at, box.end(), ui.theme.panel);
-  const std::string words = "Variations by " + shortNumber(std::round(100.0 * ui.session.design.amount)) + " %. A click adopts one; the slider at the right changes how far they go.";
+  const std::string amount = "Variations by " + shortNumber(std::round(100.0 * ui.session.design.amount)) + " %";
   const float buttons = ui.px(150);
+  // As many words as there is room for.
+  std::string words = amount;
+  for (const char* more : {". A click adopts one; the slider at the right changes how far they go.", ". A click adopts one."})
+    if (words == amount && ImGui::CalcTextSize((amount + more).c_str()).x < box.width - buttons - ui.px(16)) words += more;
   rowText({box.at.x + ui.px(12), box.at.y}, box.width - buttons - ui.px(16), box.height, ui.theme.dim, words);
   ImGui::SetCursorScreenPos({box.right() - buttons, box.at.y + ui.px(4)});
   if (textButton(ui, "Others", "other variations")) ui.session.showVariations();

@@ -11,11 +11,12 @@
 namespace npsee::editor {
 namespace {
 
-void line(const PanelContext& ui, const std::string& key, const std::string& text) {
+/// A key and what it does; `place` for what has no key, and stands in a menu.
+void line(const PanelContext& ui, const std::string& key, const std::string& text, bool place = false) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, column = ui.px(112), inset = ui.px(4);
-  ImGui::PushFont(ui.fonts.numbers);
-  rowText(at, column, ui.px(24), ui.theme.accent, key);
+  ImGui::PushFont(place ? ui.fonts.small : ui.fonts.numbers);
+  rowText(at, column, ui.px(24), place ? ui.theme.dim : ui.theme.accent, key);
   ImGui::PopFont();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - column);
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + column, at.y + inset}, ui.theme.text, text.c_str(), nullptr, width - column);
@@ -51,8 +52,11 @@ void drawHelpPanel(const PanelContext& ui) {
     line(ui, "W A S D", "drive the vehicle you took over");
   }
   heading(ui, "Commands");
-  for (const Action& action : actions())
-    if (!action.shortcut.empty() && action.here(ui)) line(ui, keyText(*parseKeyStroke(action.shortcut)), std::string(action.label));
+  for (const Action& action : actions()) {
+    if (!action.here(ui)) continue;
+    line(ui, action.shortcut.empty() ? std::string(action.menu) + " menu" : keyText(*parseKeyStroke(action.shortcut)), std::string(action.label), action.shortcut.empty());
+    ui.item("key:" + std::string(action.label));
+  }
   ImGui::EndChild();
   ImGui::PopStyleVar();
 }

@@ -81,7 +81,7 @@ void drawMenuBar(const PanelContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), std::floor(0.5f * (ui.px(30) - ImGui::GetFontSize()))));
   beginMenuStyle(ui);
   if (ImGui::BeginMenuBar()) {
-    const std::array<std::string_view, 8> menus{"File", "Edit", "View", ui.session.inMission() ? "Mission" : "Layer", "Design", "Time", "Export", "Help"};
+    const std::array<std::string_view, 9> menus{"File", "Edit", "View", "Camera", ui.session.inMission() ? "Mission" : "Layer", "Design", "Time", "Export", "Help"};
     for (const std::string_view menu : menus)
       if ((menu != "Design" && menu != "Export") || !ui.session.inMission()) drawMenu(ui, menu);
     drawModes(ui);

@@ -6,8 +6,34 @@
 namespace npsee::editor {
 namespace {
 
+void answerByKeys(const PanelContext& ui) {
+  if (ImGui::GetIO().WantTextInput || ui.session.files.mode != FilePanel::Mode::closed) return;
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) ui.session.answer(Answer::save);
+  else if (pressed(ImGuiKey_Escape)) ui.session.answer(Answer::cancel);
+  else if (pressed(ImGuiKey_Delete)) ui.session.answer(Answer::discard);
+}
+
+/// Quitting takes exports with it.
+void drawExportQuestion(const PanelContext& ui) {
+  const int count = ui.session.exporting;
+  const bool waits = ui.session.waitingForExports();
+  const std::string what = count == 1 ? "An export is at work" : std::to_string(count) + " exports are at work";
+  const std::string text = waits ? what + ". The editor closes when " + (count == 1 ? "it is" : "they are") + " done." : what + ", which quitting cancels. Quit when " + (count == 1 ? "it is" : "they are") + " done?";
+  strip(ui, "strip:question", ui.theme.accent, text, waits ? ui.px(196) : ui.px(290), [&] {
+    if (!waits && textButton(ui, "When done", "quit when done", true)) ui.session.answer(Answer::save);
+    if (!waits) ImGui::SameLine();
+    if (textButton(ui, "Cancel export", "cancel exports and quit")) ui.session.answer(Answer::discard);
+    ImGui::SameLine();
+    if (textButton(ui, "Stay", "stay")) ui.session.answer(Answer::cancel);
+  });
+  ui.resting("strip:question", "Enter waits for it, Delete cancels it and quits, Escape stays.");
+  answerByKeys(ui);
+}
+
 void drawQuestion(const PanelContext& ui) {
   const Session& session = ui.session;
+  if (session.askingAboutExports()) return drawExportQuestion(ui);
   const char* next = session.asking() == Intent::quit ? "quitting" : session.asking() == Intent::open ? "opening another file" : session.asking() == Intent::recover ? "bringing back other unsaved work" : session.inMission() ? "starting a new mission" : "starting a new preset";
   const std::string text = "\"" + session.askingAbout() + "\" has changes that are not saved. Save them before " + next + "?";
   strip(ui, "strip:question", ui.theme.accent, text, ui.px(196), [&] {
@@ -18,11 +44,7 @@ void drawQuestion(const PanelContext& ui) {
     if (textButton(ui, "Cancel", "cancel")) ui.session.answer(Answer::cancel);
   });
   ui.resting("strip:question", "Enter saves, Delete discards, Escape cancels.");
-  if (ImGui::GetIO().WantTextInput || session.files.mode != FilePanel::Mode::closed) return;
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) ui.session.answer(Answer::save);
-  else if (pressed(ImGuiKey_Escape)) ui.session.answer(Answer::cancel);
-  else if (pressed(ImGuiKey_Delete)) ui.session.answer(Answer::discard);
+  answerByKeys(ui);
 }
 
 }  // namespace

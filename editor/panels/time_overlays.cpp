@@ -57,7 +57,7 @@ void forSome(const PanelContext& ui, std::size_t most, const Draw& draw) {
 void drawOnionSkin(const PanelContext& ui, const Projection& project) {
   const Playback& playback = ui.session.playback;
   const double step = roundTime(playback.duration_s, 0.02);
-  const auto& frames = ui.session.design.skins.at(ui.session.explosionShared(), playback.time_s, step * static_cast<double>(kSkins), kSkins);
+  const auto& frames = ui.session.design.skins.at(ui.session.explosionShared(), ui.session.shownTime(), step * static_cast<double>(kSkins), kSkins);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t k = frames.size(); k-- > 0;) {
     const Frame& frame = frames[k];
@@ -72,7 +72,7 @@ void drawOnionSkin(const PanelContext& ui, const Projection& project) {
 
 void drawTrails(const PanelContext& ui, const Projection& project) {
   const Playback& playback = ui.session.playback;
-  const auto& frames = ui.session.design.trails.at(ui.session.explosionShared(), playback.time_s, roundTime(playback.duration_s, 0.12), kTrailPoints);
+  const auto& frames = ui.session.design.trails.at(ui.session.explosionShared(), ui.session.shownTime(), roundTime(playback.duration_s, 0.12), kTrailPoints);
   const Frame& now = ui.session.frame();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::array<ImU32, kTrailPoints> colours{};
@@ -120,15 +120,20 @@ std::string figure(double value) {
   return text;
 }
 
+std::string joules(double energy) {
+  return energy >= 1e9 ? figure(1e-9 * energy) + " GJ" : energy >= 1e6 ? figure(1e-6 * energy) + " MJ" : energy >= 1e3 ? figure(1e-3 * energy) + " kJ" : figure(energy) + " J";
+}
+
 /// The figures of the moment at the upper right.
 void drawFigures(const PanelContext& ui, const Box& box, const FrameFigures& figures) {
   const Explosion& explosion = *ui.session.explosion();
   const Extent& extent = figures.extent;
   std::vector<std::array<std::string, 2>> lines{{"alive", std::to_string(figures.alive) + " of " + std::to_string(explosion.particleCount())},
                                                 {"fastest", figure(figures.fastest_mps) + " m/s"},
-                                                {"energy", figure(figures.energy_Jpkg) + " J/kg"},
                                                 {"extent", figure(extent.max.x - extent.min.x) + " x " + figure(extent.max.y - extent.min.y) + " x " + figure(extent.max.z - extent.min.z) + " m"},
                                                 {"highest", figure(extent.max.y - ui.session.document.preset().ground_height_m) + " m"}};
+  if (figures.massive > 0) lines.insert(lines.begin() + 2, {"kinetic energy", joules(figures.energy_J)});
+  if (figures.alive > figures.massive) lines.insert(lines.begin() + 2, {"energy per kg", figure(figures.energy_Jpkg) + " J/kg"});
   if (figures.alive == 0) lines.resize(1);
   if (ui.frame_ms) lines.push_back({"frame", figure(static_cast<double>(*ui.frame_ms)) + " ms"});
   const float width = std::min(ui.px(206), box.width - ui.px(28)), row = ui.px(18), height = row * static_cast<float>(lines.size()) + ui.px(10);
@@ -138,7 +143,7 @@ void drawFigures(const PanelContext& ui, const Box& box, const FrameFigures& fig
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const float y = at.y + ui.px(5) + row * static_cast<float>(i);
     ImGui::PushFont(ui.fonts.small);
-    rowText({at.x + ui.px(10), y}, 0.4f * width, row, ui.theme.dim, lines[i][0]);
+    rowText({at.x + ui.px(10), y}, 0.46f * width, row, ui.theme.dim, lines[i][0]);
     rowTextRight(at.x + width - ui.px(10), y, row, ui.theme.text, lines[i][1]);
     ImGui::PopFont();
   }
@@ -181,7 +186,7 @@ void drawMoment(const PanelContext& ui, const Box& box) {
   if (design.show_trails) drawTrails(ui, project);
   if (design.show_onion) drawOnionSkin(ui, project);
   if (design.show_speed || design.show_figures) {
-    const FrameFigures figures = figuresOf(ui.session.frame());
+    const FrameFigures figures = figuresOf(ui.session.frame(), ui.session.explosion()->layers());
     if (design.show_speed) drawArrows(ui, project, figures);
     if (design.show_figures) drawFigures(ui, box, figures);
   }

@@ -1,3 +1,4 @@
+#include "app/render/view.h"
 #include "editor/document/camera_moves.h"
 #include "editor/panels/desk/view_tools.h"
 #include "editor/panels/panels.h"
@@ -29,24 +30,20 @@ void steer(const PanelContext& ui, const Box& box) {
 
 /// The world's axes as seen from here, in the lower left corner.
 void drawCompass(const PanelContext& ui, const Box& box) {
-  const render::Camera& camera = ui.session.camera;
-  const Vec3 view = camera.target - camera.eye;
-  const double distance = length(view);
-  if (distance <= 0.0) return;
-  const Vec3 forward = (1.0 / distance) * view;
-  Vec3 right = cross(forward, {0.0, 1.0, 0.0});
-  right = (1.0 / std::max(length(right), 1e-9)) * right;
-  const Vec3 up = cross(right, forward);
+  // The picture's own axes, which have a way of looking straight down too.
+  const render::View view = render::makeView(ui.session.camera, std::max(1, static_cast<int>(box.width)), std::max(1, static_cast<int>(box.height)));
   const ImVec2 centre{box.at.x + ui.px(40), box.end().y - ui.px(40)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const struct { Vec3 axis; const char* name; ImU32 colour; } axes[] = {{{1, 0, 0}, "x", ui.theme.error}, {{0, 1, 0}, "y", ui.theme.good}, {{0, 0, 1}, "z", ui.theme.geometry}};
+  list.AddCircleFilled(centre, ui.px(36), faded(ui.theme.background, 0.62f), 32);  // what lies behind has any colour
   ImGui::PushFont(ui.fonts.small);
   for (const auto& [axis, name, colour] : axes) {
-    const ImVec2 to{centre.x + ui.px(20) * static_cast<float>(dot(axis, right)), centre.y - ui.px(20) * static_cast<float>(dot(axis, up))};
+    const ImVec2 to{centre.x + ui.px(20) * static_cast<float>(dot(axis, view.right)), centre.y - ui.px(20) * static_cast<float>(dot(axis, view.up))};
     list.AddLine(centre, to, colour, ui.px(1.5f));
-    const ImVec2 label{centre.x + ui.px(29) * static_cast<float>(dot(axis, right)), centre.y - ui.px(29) * static_cast<float>(dot(axis, up))};
+    const ImVec2 label{centre.x + ui.px(29) * static_cast<float>(dot(axis, view.right)), centre.y - ui.px(29) * static_cast<float>(dot(axis, view.up))};
     const ImVec2 size = ImGui::CalcTextSize(name);
     list.AddText({std::floor(label.x - 0.5f * size.x), std::floor(label.y - 0.5f * size.y)}, colour, name);
+    ui.item(std::string("axis:") + name, {std::min(centre.x, to.x), std::min(centre.y, to.y)}, {std::max(centre.x, to.x) + 1.0f, std::max(centre.y, to.y) + 1.0f});
   }
   ImGui::PopFont();
 }
@@ -86,11 +83,9 @@ void drawViewport(const PanelContext& ui) {
   handleRuler(ui, box);
   ui.resting("viewport", "Left drag turns, middle drag shifts, the wheel moves nearer; F shows everything, F1 lists all keys.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(box.at, box.end(), ui.theme.background);
-  adaptQuality(ui);
-  const auto share = static_cast<float>(ui.state.desk.view.share);
-  if (const ImTextureID texture = ui.pictures.explosion(ui.session, static_cast<int>(box.width * share), static_cast<int>(box.height * share)))
+  if (const ImTextureID texture = ui.pictures.explosion(ui.session, drawnPixels(ui, box.width), drawnPixels(ui, box.height)))
     list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
+  else list.AddRectFilled(box.at, box.end(), ui.theme.background);
   drawCompare(ui, box);
   drawOverlays(ui, box);
   drawTimeOverlays(ui, box);

@@ -7,7 +7,7 @@
 namespace npsee::editor {
 namespace {
 
-constexpr std::array<ScriptCommandInfo, 22> kCommands{{
+constexpr std::array<ScriptCommandInfo, 23> kCommands{{
     {"set", "PARAM VALUE", 2, 2, "Types VALUE, with any fitting unit, into the parameter's row. PARAM is LAYER.key or a burst key; also `time`."},
     {"drag", "ITEM DX [DY]", 2, 3, "Presses on the item (a parameter: on its slider's thumb), moves by DX, DY pixels and releases."},
     {"click", "ITEM", 1, 1, "Clicks the middle of a named item."},
@@ -27,6 +27,7 @@ constexpr std::array<ScriptCommandInfo, 22> kCommands{{
     {"drop", "FILE", 1, 1, "Drops a file or folder on the window."},
     {"settle", "", 0, 0, "Waits until thumbnails and exports are done."},
     {"save", "PICTURE.png", 1, 1, "Saves a picture of the whole window."},
+    {"pictures", "on|off", 1, 1, "Leaves the pictures of explosions and missions out, for pictures of the panels alone."},
     {"note", "", 0, 0, "Remembers all facts, to be compared with later."},
     {"expect", "FACT OP VALUE | visible ITEM | hidden ITEM", 2, 3, "Ends the run with exit code 1 unless it holds. OP is = != < > <= >= or contains; `noted` stands for the fact's value at the last note."},
     {"print", "FACT", 1, 1, "Writes FACT=VALUE to standard output; `all` writes every fact, `items` the places and names of the items."},

@@ -118,6 +118,10 @@ Expected<ScriptRunner::Progress> ScriptRunner::begin(Editor& editor, const Scrip
     // What is drawn now is found in the frame after.
     steps_.push_back({});
     steps_.push_back({});
+  } else if (name == "pictures") {
+    const std::string& wish = command.arguments[0];
+    if (wish != "on" && wish != "off") return bad(command, "\"" + printable(wish) + "\" is neither on nor off.");
+    editor.state().desk.view.pictures = wish == "on";
   } else if (name == "save") {
     steps_.push_back({.picture = command.arguments[0]});
   } else if (name == "note") {

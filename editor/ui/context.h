@@ -12,12 +12,21 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace npsee::editor {
+
+/// An explosion beside the edited one, at a moment.
+struct BesidePicture {
+  const Preset& preset;
+  const std::shared_ptr<const Explosion>& explosion;
+  const Frame& frame;
+  double time_s = 0.0;  ///< of the frame
+};
 
 /// Pictures that panels show. The panels ask by size; who answers knows GL.
 class Pictures {
@@ -27,7 +36,7 @@ class Pictures {
   virtual ImTextureID explosion(const Session& session, int width, int height) = 0;
   virtual ImTextureID shape(const Session& session, render::TemplateHandle active, int width, int height) = 0;
   /// Another explosion through the session's camera; `which` (0 to 9) keeps such textures apart. Its frame holds render::kSceneFields.
-  virtual ImTextureID other(const Session& session, const Preset& preset, const Explosion& explosion, const Frame& frame, int which, int width, int height) = 0;
+  virtual ImTextureID other(const Session& session, const BesidePicture& beside, int which, int width, int height) = 0;
   /// The mission at the moment shown, as its camera sees it; and where its things stand in that picture. Null and empty before there
   /// is a recording.
   virtual ImTextureID mission(const MissionSession& session, int width, int height) = 0;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "app/render/camera.h"
+#include "app/render/mission_camera.h"
 #include "editor/desk/exports.h"
+#include "editor/document/quality_chooser.h"
 
 #include <npsee/vec3.h>
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,24 +38,26 @@ struct DeskUi {
     std::string file_of;       ///< kind and document that the file name was made for
     std::string size;          ///< as typed; empty = that of the choice
     std::string wrong;         ///< about what was typed
+    std::string replacing;     ///< a file that would be overwritten; the button then says so and asks once more
   } exports;
 
   /// The picture of the explosion: what is laid over it, and how finely it is drawn.
   struct View {
+    bool pictures = true;               ///< scripts may leave them out
     bool grid = true, extent = false;
     std::string background = "sky";     ///< as `--background` reads it
-    std::string quality = "automatic";  ///< or fine, normal, draft
+    std::string quality = "automatic";  ///< one of kQualityWishes
+    double exposure_stops = 0.0;        ///< of the camera
     std::vector<std::string> bookmarks;
 
     bool ruler = false;                 ///< clicks set its ends
     std::array<Vec3, 2> ends;
     int points = 0;
 
-    double share = 1.0;                 ///< of the pixels' number across at which it is drawn now
-    double interval_s = 1.0 / 60.0;     ///< between frames while something moves, smoothed
-    double moved_s = 0.0;               ///< since something began to move
-    double rested_s = 1.0;              ///< since something moved
-    std::string seen;                   ///< the camera of the last frame
+    QualityChooser chooser;
+    render::Camera seen;                ///< of the last frame
+    render::MissionCamera seen_mission;
+    std::uint64_t seen_stamp = 0;
   } view;
 
   int tour = -1;           ///< hint shown; -1 = none

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace npsee::editor {
 namespace {
@@ -34,15 +35,23 @@ void setState(int width, int height) {
   glBindSampler(0, 0);
 }
 
-void drawCommand(const ImDrawCmd& command, const ImDrawData& data, int height) {
+void drawCommand(const ImDrawCmd& command, const ImDrawData& data, int height, std::span<const PixelBox> boxes, std::span<const ImTextureID> opaque) {
   const ImVec2 scale = data.FramebufferScale, origin = data.DisplayPos;
-  const auto left = static_cast<GLint>((command.ClipRect.x - origin.x) * scale.x), right = static_cast<GLint>((command.ClipRect.z - origin.x) * scale.x);
-  const auto top = static_cast<GLint>((command.ClipRect.y - origin.y) * scale.y), bottom = static_cast<GLint>((command.ClipRect.w - origin.y) * scale.y);
-  if (right <= left || bottom <= top) return;
-  glScissor(std::max(left, 0), height - bottom, right - std::max(left, 0), bottom - top);
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
-  constexpr GLenum type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), type, reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
+  const PixelBox clip{std::max(static_cast<int>((command.ClipRect.x - origin.x) * scale.x), 0), static_cast<int>((command.ClipRect.y - origin.y) * scale.y),
+                      static_cast<int>((command.ClipRect.z - origin.x) * scale.x), static_cast<int>((command.ClipRect.w - origin.y) * scale.y)};
+  bool ready = false;
+  for (const PixelBox& box : boxes) {
+    const PixelBox shown = intersection(clip, box);
+    if (shown.empty()) continue;
+    if (!std::exchange(ready, true)) {
+      glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+      if (std::ranges::find(opaque, command.GetTexID()) != opaque.end()) glDisable(GL_BLEND);
+      else glEnable(GL_BLEND);
+    }
+    glScissor(shown.left, height - shown.bottom, shown.right - shown.left, shown.bottom - shown.top);
+    constexpr GLenum type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), type, reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
+  }
 }
 
 }  // namespace
@@ -82,7 +91,7 @@ void DrawDataRenderer::uploadFonts() {
   atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(fonts_.name())));
 }
 
-void DrawDataRenderer::draw(const ImDrawData& data) const {
+void DrawDataRenderer::draw(const ImDrawData& data, std::span<const PixelBox> boxes, std::span<const ImTextureID> opaque) const {
   const auto width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x), height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
   if (width <= 0 || height <= 0) return;
   setState(width, height);
@@ -96,7 +105,7 @@ void DrawDataRenderer::draw(const ImDrawData& data) const {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.VtxBuffer.size_in_bytes()), list.VtxBuffer.Data, GL_STREAM_DRAW);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.IdxBuffer.size_in_bytes()), list.IdxBuffer.Data, GL_STREAM_DRAW);
     for (const ImDrawCmd& command : list.CmdBuffer)
-      if (command.UserCallback == nullptr) drawCommand(command, data, height);
+      if (command.UserCallback == nullptr) drawCommand(command, data, height, boxes, opaque);
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);

@@ -3,9 +3,11 @@
 #include "app/gl/objects.h"
 #include "app/gl/program.h"
 
+#include "editor/ui/damage.h"
+
 #include <npsee/error.h>
 
-struct ImDrawData;
+#include <span>
 
 namespace npsee::editor {
 
@@ -15,7 +17,8 @@ class DrawDataRenderer {
   /// Uploads the font atlas of the current ImGui context too. Error kind graphics with the shader log.
   static Expected<DrawDataRenderer> create();
 
-  void draw(const ImDrawData& data) const;
+  /// Draws what lies in the boxes. `opaque`: textures that need no blending.
+  void draw(const ImDrawData& data, std::span<const PixelBox> boxes, std::span<const ImTextureID> opaque) const;
 
  private:
   DrawDataRenderer() = default;

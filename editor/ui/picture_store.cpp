@@ -23,6 +23,8 @@ gl::Texture upload(const render::Image& image) {
   return texture;
 }
 
+ImTextureID idOf(const gl::Texture& texture) { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name())); }
+
 }  // namespace
 
 ImTextureID PictureStore::texture(const std::filesystem::path& file) {
@@ -32,8 +34,9 @@ ImTextureID PictureStore::texture(const std::filesystem::path& file) {
     if (held_.size() >= kMostHeld) held_.clear();
     const auto image = render::readPng(file);
     held = held_.insert_or_assign(file, Held{stamp, image ? upload(*image) : gl::Texture()}).first;
+    if (image) read_.push_back(idOf(held->second.texture));
   }
-  return held->second.texture ? reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(held->second.texture.name())) : nullptr;
+  return held->second.texture ? idOf(held->second.texture) : nullptr;
 }
 
 }  // namespace npsee::editor

@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace npsee::editor {
 
@@ -15,6 +17,8 @@ class PictureStore {
  public:
   /// Null where the file is no picture.
   ImTextureID texture(const std::filesystem::path& file);
+  /// Textures that were read since this was asked last.
+  std::vector<ImTextureID> takeRead() { return std::exchange(read_, {}); }
 
  private:
   struct Held {
@@ -22,6 +26,7 @@ class PictureStore {
     gl::Texture texture;
   };
   std::map<std::filesystem::path, Held> held_;
+  std::vector<ImTextureID> read_;
 };
 
 }  // namespace npsee::editor

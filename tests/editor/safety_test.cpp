@@ -125,7 +125,7 @@ TEST(UnsavedWork, SurvivesItsTextFormat) {
 }
 
 TEST(UnsavedWork, FindsTheFilesBesideItsPresetAgain) {
-  const auto preset = editor::Snapshot::parse("{\"npsee\": 1}", "/some/where/work.npsee.json");
+  const auto preset = editor::Snapshot::parse("{\"npsee\": 1, \"layers\": [{}]}", "/some/where/work.npsee.json");
   ASSERT_TRUE(preset) << preset.error().text();
   EXPECT_EQ(preset->folder.path, "/some/where") << "models that it names lie beside its file";
 }

@@ -176,6 +176,56 @@ TEST_F(PresetWindow, CopiesACommandLineToTheClipboard) {
   EXPECT_NE(end.at("clipboard").find("npsee render " + file_), std::string::npos) << end.at("clipboard") << end.at("error");
 }
 
+TEST_F(PresetWindow, AFileDroppedOnItIsOpened) {
+  const std::string other = folder_ / "dropped one.npsee.json";
+  std::filesystem::copy_file(std::string(NPSEE_SOURCE_DIR) + "/presets/mortar.npsee.json", other);
+  const auto dropped = display_.client({"drop", window_, other});
+  ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
+  EXPECT_TRUE(eventually([this] { return window("dropped one - npsee"); }));
+  key("Control_L+q");
+  const auto end = state();
+  EXPECT_EQ(end.at("file"), other);
+  EXPECT_EQ(end.at("error"), "");
+}
+
+TEST_F(PresetWindow, WhatIsNoPresetIsRefusedWhenItIsDropped) {
+  test::spill(folder_ / "notes.txt", "nothing");
+  const auto dropped = display_.client({"drop", window_, folder_ / "notes.txt", file_});
+  ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
+  key("Control_L+q");
+  const auto end = state();
+  EXPECT_NE(end.at("error").find("notes.txt is neither a preset nor a mission"), std::string::npos) << end.at("error");
+  EXPECT_EQ(end.at("file"), file_);
+}
+
+TEST_F(PresetWindow, LayersGoThroughTheClipboardToOtherProgramsAndBack) {
+  key("Control_L+c");
+  std::string text;
+  EXPECT_TRUE(eventually([&] {
+    const auto held = display_.client({"clipboard"});
+    text = held.out;
+    return held.exit_code == 0 && !text.empty();
+  }));
+  EXPECT_NE(text.find("\"fragments\""), std::string::npos) << text;
+  // Another program changes it and holds it now.
+  text.replace(text.find("fragments"), 9, "from_afar");
+  auto other = std::async(std::launch::async, [&] { return display_.client({"offer", text}); });
+  EXPECT_TRUE(eventually([&] {
+    key("Control_L+v");
+    return other.wait_for(300ms) == std::future_status::ready;
+  }));
+  const auto given = other.get();
+  EXPECT_EQ(given.exit_code, 0) << given.err;
+  EXPECT_TRUE(eventually([this] { return window("work \\* - npsee"); }));
+  key("Control_L+s");
+  EXPECT_TRUE(eventually([this] { return window("work - npsee"); }));
+  key("Control_L+q");
+  state();
+  const auto saved = loadPreset(file_);
+  ASSERT_TRUE(saved.has_value());
+  EXPECT_GE(findLayer(*saved, "from_afar"), 0) << presetText(*saved);
+}
+
 TEST_F(PresetWindow, RemembersItsSize) {
   display_.xdotool({"windowsize", "--sync", window_, "1010", "650"});
   key("Control_L+q");

@@ -1,7 +1,5 @@
 #include "tests/support/display.h"
 
-#include "tests/support/process.h"
-
 #include <array>
 #include <csignal>
 #include <stdexcept>
@@ -65,6 +63,8 @@ std::string VirtualDisplay::xdotool(const std::vector<std::string>& words) const
   if (result.exit_code != 0) throw std::runtime_error("xdotool " + words.front() + ": " + result.err);
   return result.out;
 }
+
+ProcessResult VirtualDisplay::client(const std::vector<std::string>& words) const { return run(NPSEE_X_CLIENT, words, environment()); }
 
 void VirtualDisplay::askToClose(const std::string& window) const {
   // Xlib is there because GLFW needs it; its headers need not be.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/process.h"
+
 #include <map>
 #include <string>
 #include <sys/types.h>
@@ -20,6 +22,8 @@ class VirtualDisplay {
   std::map<std::string, std::string> environment() const { return {{"DISPLAY", name_}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}; }
   /// Asks a window to close, as the cross in its title bar does (xdotool would destroy it).
   void askToClose(const std::string& window) const;
+  /// Runs the other program of tests/support/x_client.cpp on it.
+  ProcessResult client(const std::vector<std::string>& words) const;
   /// Runs xdotool with these words and returns what it prints; throws if it fails.
   std::string xdotool(const std::vector<std::string>& words) const;
 

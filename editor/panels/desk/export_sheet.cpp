@@ -161,7 +161,7 @@ void drawJob(const PanelContext& ui, std::size_t index) {
   }
 }
 
-ExportView viewOf(const PanelContext& ui) { return {ui.session.playback.time_s, ui.session.explosion() != nullptr ? ui.session.explosion()->duration_s() : 0.0, ui.session.camera}; }
+ExportView viewOf(const PanelContext& ui) { return {ui.session.playback.time_s, ui.session.explosion() != nullptr ? ui.session.explosion()->duration_s() : 0.0, ui.session.camera, ui.state.desk.view.exposure_stops}; }
 
 ExportChoice choiceOf(const PanelContext& ui) {
   const DeskUi::Export& my = ui.state.desk.exports;
@@ -170,7 +170,18 @@ ExportChoice choiceOf(const PanelContext& ui) {
   return out;
 }
 
+/// Whether an export would overwrite a file that nobody has agreed to lose; asks then.
+bool asksToReplace(const PanelContext& ui) {
+  std::string& replacing = ui.state.desk.exports.replacing;
+  const fs::path first = firstOutput(choiceOf(ui));
+  std::error_code ignored;
+  const bool asks = fs::exists(first, ignored) && replacing != first.string();
+  replacing = asks ? first.string() : std::string();
+  return asks;
+}
+
 void startExport(const PanelContext& ui) {
+  if (asksToReplace(ui)) return;
   if (const auto started = ui.desk.exports().start(ui.session.document.preset(), choiceOf(ui), viewOf(ui)); !started) ui.session.notices.error = started.error().text();
 }
 
@@ -207,7 +218,13 @@ void drawExportSheet(const PanelContext& ui) {
   if (!my.wrong.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.error), "%s", my.wrong.c_str());
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   ImGui::BeginDisabled(!my.wrong.empty());
-  const bool exported = textButton(ui, "Export", "export", true);
+  if (my.replacing != firstOutput(choiceOf(ui)).string()) my.replacing.clear();
+  if (!my.replacing.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.accent), "%s exists. Replace it, or choose another name.", fs::path(my.replacing).filename().c_str());
+    ImGui::PopTextWrapPos();
+  }
+  const bool exported = textButton(ui, my.replacing.empty() ? "Export" : "Replace", "export", true);
   ImGui::SameLine();
   const bool copied = textButton(ui, "Copy command line", "copy command line");
   ImGui::EndDisabled();

@@ -18,11 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Show = DeskUi::Library::Show;
 
-std::string nameOf(const fs::path& path) {
-  const std::string file = path.filename().string();
-  return file.substr(0, file.find('.', 1));
-}
-
 std::vector<std::string> tagsOf(const std::string& text) {
   std::vector<std::string> out;
   for (const std::string_view tag : splitAt(text, ','))
@@ -33,7 +28,7 @@ std::vector<std::string> tagsOf(const std::string& text) {
 bool matches(const LibraryEntry& entry, const DeskUi::Library& my) {
   const auto tags = tagsOf(entry.tags);
   if (!my.tag.empty() && std::ranges::find(tags, my.tag) == tags.end()) return false;
-  const std::string all = capitals(entry.title + ' ' + nameOf(entry.path) + ' ' + entry.tags + ' ' + entry.description);
+  const std::string all = capitals(entry.title + ' ' + bareName(entry.path) + ' ' + entry.tags + ' ' + entry.description);
   const std::string typed = capitals(my.word);
   return std::ranges::all_of(splitAt(typed, ' '), [&](std::string_view word) { return all.find(word) != std::string::npos; });
 }
@@ -47,7 +42,7 @@ std::vector<LibraryEntry> listed(const PanelContext& ui) {
   } else {
     std::error_code ignored;
     for (const std::string& file : my.show == Show::recent ? ui.desk.settings.recent : ui.desk.settings.favourites)
-      if (isMissionFile(file) == ui.session.inMission() && fs::is_regular_file(file, ignored)) out.push_back(ui.desk.entry(file));
+      if (isMissionFile(file) == ui.session.inMission() && fs::is_regular_file(file, ignored)) out.push_back(ui.session.libraryEntry(file));
   }
   std::erase_if(out, [&](const LibraryEntry& entry) { return !matches(entry, my); });
   return out;
@@ -72,7 +67,7 @@ void drawStar(const PanelContext& ui, const LibraryEntry& entry, ImVec2 centre, 
 bool starButton(const PanelContext& ui, const LibraryEntry& entry, ImVec2 centre, bool offered) {
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({centre.x - ui.px(11), centre.y - ui.px(11)});
-  const std::string name = "button:favourite:" + nameOf(entry.path);
+  const std::string name = "button:favourite:" + bareName(entry.path);
   if (ImGui::InvisibleButton(name.c_str(), ImVec2(ui.px(22), ui.px(22)))) ui.desk.flipFavourite(entry.path);
   ui.item(name);
   const bool hovered = ImGui::IsItemHovered();
@@ -91,7 +86,7 @@ void describe(const PanelContext& ui, const std::string& item, const LibraryEntr
 /// A preset as its picture over its title.
 void card(const PanelContext& ui, const LibraryEntry& entry, ImVec2 at, ImVec2 size, bool open) {
   ImGui::SetCursorScreenPos(at);
-  const std::string item = "preset:" + nameOf(entry.path);
+  const std::string item = "preset:" + bareName(entry.path);
   const bool clicked = ImGui::InvisibleButton(item.c_str(), size);
   ImGui::SetItemAllowOverlap();
   ui.item(item);
@@ -109,7 +104,7 @@ void card(const PanelContext& ui, const LibraryEntry& entry, ImVec2 at, ImVec2 s
   if (file.empty()) drawIcon(list, Icon::file, {0.5f * (at.x + end.x), 0.5f * (at.y + end.y)}, ui.px(20), entry.readable ? ui.theme.line : ui.theme.error);
   if (open) list.AddRect(at, end, ui.theme.accent, ui.px(4), ImDrawFlags_None, ui.px(2));
   ImGui::PushFont(ui.fonts.small);
-  rowText({at.x + ui.px(3), at.y + high}, size.x - ui.px(6), size.y - high, !entry.readable ? ui.theme.error : open ? ui.theme.accent : ui.theme.text, entry.title.empty() ? nameOf(entry.path) : entry.title);
+  rowText({at.x + ui.px(3), at.y + high}, size.x - ui.px(6), size.y - high, !entry.readable ? ui.theme.error : open ? ui.theme.accent : ui.theme.text, entry.title.empty() ? bareName(entry.path) : entry.title);
   ImGui::PopFont();
   const bool star = starButton(ui, entry, {at.x + size.x - ui.px(13), at.y + ui.px(13)}, hovered);
   if (clicked && !open && !star) ui.session.open(entry.path);
@@ -117,7 +112,7 @@ void card(const PanelContext& ui, const LibraryEntry& entry, ImVec2 at, ImVec2 s
 
 /// A mission with its title over the file's name.
 void line(const PanelContext& ui, const LibraryEntry& entry, bool open) {
-  const std::string name = nameOf(entry.path), item = (isMissionFile(entry.path) ? "mission:" : "preset:") + name;
+  const std::string name = bareName(entry.path), item = (isMissionFile(entry.path) ? "mission:" : "preset:") + name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(44), inset = ui.px(10);
   const bool clicked = ImGui::InvisibleButton(item.c_str(), ImVec2(width, height));

@@ -71,7 +71,7 @@ void addParameters(const PanelContext& ui, std::vector<Entry>& out) {
 void addFiles(const PanelContext& ui, std::vector<Entry>& out) {
   for (const LibraryEntry& entry : ui.session.library()) {
     if (!entry.readable) continue;
-    const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
+    const std::string name = bareName(entry.path);
     out.push_back({name, entry.title.empty() ? name : entry.title, "open", name, [&ui, path = entry.path] { ui.session.open(path); }});
   }
 }

@@ -1,5 +1,7 @@
 #include "editor/panels/desk/view_tools.h"
 
+#include "app/render/view.h"
+#include "editor/mission/session.h"
 #include "editor/ui/controls.h"
 
 #include <npsee/units.h>
@@ -12,27 +14,19 @@
 namespace npsee::editor {
 namespace {
 
-struct Axes {
-  Vec3 forward, right, up;
-};
-
-Axes axesOf(const render::Camera& camera) {
-  const Vec3 view = camera.target - camera.eye;
-  const Vec3 forward = (1.0 / std::max(length(view), 1e-9)) * view;
-  Vec3 right = cross(forward, {0.0, 1.0, 0.0});
-  right = length(right) > 1e-9 ? (1.0 / length(right)) * right : Vec3{1.0, 0.0, 0.0};
-  return {forward, right, cross(right, forward)};
-}
+/// The picture's axes and scale.
+render::View viewOf(const render::Camera& camera, const Box& box) { return render::makeView(camera, std::max(1, static_cast<int>(box.width)), std::max(1, static_cast<int>(box.height))); }
 
 constexpr double kNear_m = 0.05;
 
+/// Pixels that a metre at a distance of one metre takes.
 double pixelsPerShare(const render::Camera& camera, const Box& box) { return 0.5 * static_cast<double>(box.height) / std::tan(0.5 * camera.fov_y_rad); }
 
 /// A line in the world, cut off at the eye's plane.
 void worldLine(const PanelContext& ui, const Box& box, Vec3 a, Vec3 b, ImU32 colour, float width) {
   const render::Camera& camera = ui.session.camera;
-  const Vec3 forward = axesOf(camera).forward;
-  const double from = dot(a - camera.eye, forward), to = dot(b - camera.eye, forward);
+  const render::View view = viewOf(camera, box);
+  const double from = view.depthOf(a.x, a.y, a.z), to = view.depthOf(b.x, b.y, b.z);
   if (from < kNear_m && to < kNear_m) return;
   const auto cut = [&](const Vec3& inside, const Vec3& outside, double d_in, double d_out) { return inside + ((d_in - 2.0 * kNear_m) / (d_in - d_out)) * (outside - inside); };
   if (from < kNear_m) a = cut(b, a, to, from);
@@ -111,7 +105,7 @@ struct Choice {
   const char *key, *label;
 };
 constexpr std::array kBackgrounds{Choice{"sky", "Sky and ground"}, Choice{"black", "Black"}, Choice{"#10141e", "Night"}, Choice{"#6b7078", "Grey"}, Choice{"white", "White"}};
-constexpr std::array kQualities{Choice{"automatic", "Automatic quality"}, Choice{"fine", "Fine: every pixel"}, Choice{"normal", "Normal: half of the pixels"}, Choice{"draft", "Draft: a quarter of the pixels"}};
+constexpr std::array kQualities{Choice{"automatic", "Automatic quality"}, Choice{"draft", "Draft quality"}, Choice{"normal", "Normal quality"}, Choice{"fine", "Fine quality when still"}};
 
 template <class Choices>
 void offer(const PanelContext& ui, const Choices& choices, std::string& now) {
@@ -160,29 +154,51 @@ void drawDistance(const PanelContext& ui, const Box& box) {
   if (wanted && distance > 0.0) camera.eye = camera.target + (*wanted / distance) * arm;
 }
 
+/// The camera's exposure, to be dragged and typed.
+void drawExposure(const PanelContext& ui, const Box& box) {
+  constexpr double kMost = render::kMostExposure_stops;
+  double& stops = ui.state.desk.view.exposure_stops;
+  const NumberSpec spec{std::round(stops * 100.0) / 100.0, {-kMost, kMost}, {-kMost, kMost}, Scale::linear, false, false};
+  if (typingIn(ui, "exposure")) {
+    const auto text = typingField(ui, box);
+    if (!text) return;
+    const auto typed = parseQuantity(*text, Unit::none);
+    if (typed && std::abs(*typed) <= kMost) {
+      stops = *typed;
+      ui.state.typing = {};
+    } else {
+      refuseTyping(ui, "The exposure goes from -4 to 4 stops.");
+    }
+    return;
+  }
+  if (const auto wanted = numberField(ui, "exposure", spec, box, "EV")) stops = std::clamp(std::round(*wanted * 20.0) / 20.0, -kMost, kMost);
+  if (ui.resting("number:exposure", "The camera's exposure, stops: drag sideways, double click to type; E longer, Shift+E shorter, Alt+E usual.")) tooltip(ui, "Exposure: each stop doubles the light (E, Shift+E)");
+}
+
 }  // namespace
 
 std::optional<ImVec2> placeInPicture(const render::Camera& camera, const Box& box, const Vec3& point) {
-  const Axes axes = axesOf(camera);
+  const render::View view = viewOf(camera, box);
   const Vec3 from = point - camera.eye;
-  const double depth = dot(from, axes.forward);
+  const double depth = view.depthOf(point.x, point.y, point.z);
   if (depth < kNear_m) return std::nullopt;
   const double scale = pixelsPerShare(camera, box) / depth;
-  return ImVec2{box.at.x + 0.5f * box.width + static_cast<float>(scale * dot(from, axes.right)), box.at.y + 0.5f * box.height - static_cast<float>(scale * dot(from, axes.up))};
+  return ImVec2{box.at.x + 0.5f * box.width + static_cast<float>(scale * dot(from, view.right)), box.at.y + 0.5f * box.height - static_cast<float>(scale * dot(from, view.up))};
 }
 
 Vec3 placeUnder(const render::Camera& camera, const Box& box, ImVec2 at, double ground_m) {
-  const Axes axes = axesOf(camera);
+  const render::View view = viewOf(camera, box);
   const double scale = pixelsPerShare(camera, box);
   const double x = static_cast<double>(at.x - box.at.x - 0.5f * box.width) / scale, y = static_cast<double>(box.at.y + 0.5f * box.height - at.y) / scale;
-  const Vec3 ray = axes.forward + x * axes.right + y * axes.up;
+  const Vec3 forward = -1.0 * view.back;
+  const Vec3 ray = forward + x * view.right + y * view.up;
   constexpr double kFar_m = 5000.0;
   if (ray.y < -1e-6) {
     const double t = (ground_m - camera.eye.y) / ray.y;
     if (t > 0.0 && t < kFar_m) return camera.eye + t * ray;
   }
   // The upright plane through the burst, across the line of sight.
-  const Vec3 level{axes.forward.x, 0.0, axes.forward.z};
+  const Vec3 level{forward.x, 0.0, forward.z};
   const double along = dot(ray, level);
   if (std::abs(along) < 1e-9) return camera.target;
   return camera.eye + (dot(Vec3{} - camera.eye, level) / along) * ray;
@@ -207,14 +223,16 @@ void drawViewTools(const PanelContext& ui, const Box& box) {
   const struct { const char *label, *name, *tip; bool* on; } chips[] = {
       {"grid", "grid", "Metre grid on the ground: lines every 1, 10 and 100 m", &my.grid}, {"extent", "extent", "Box around all that the effect ever reaches (B)", &my.extent}, {"ruler", "ruler", "Click two places to measure between them (M)", &my.ruler}};
   const float distance_width = ui.px(96), gap = ui.px(2);
-  float width = distance_width + chipWidth(ui, "view") + 4.0f * gap + ui.px(8);
+  const float exposure_width = box.width > ui.px(400) ? ui.px(66) : 0.0f;
+  float width = distance_width + exposure_width + chipWidth(ui, "view") + 4.0f * gap + ui.px(8);
   for (const auto& entry : chips) width += chipWidth(ui, entry.label) + gap;
   const float height = ui.px(26);
   // Above the switches of what is laid over the effect in time.
   const ImVec2 at{std::max(box.at.x, box.right() - width - ui.px(14)), box.end().y - height - ui.px(48)};
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, faded(ui.theme.background, 0.86f), ui.px(4));
   drawDistance(ui, {{at.x + ui.px(2), at.y + ui.px(1)}, distance_width, ui.px(24)});
-  float x = at.x + distance_width + 2.0f * gap + ui.px(4);
+  if (exposure_width > 0.0f) drawExposure(ui, {{at.x + distance_width + ui.px(2), at.y + ui.px(1)}, exposure_width, ui.px(24)});
+  float x = at.x + distance_width + exposure_width + 2.0f * gap + ui.px(4);
   for (const auto& entry : chips) {
     ImGui::SetCursorScreenPos({x, at.y + ui.px(2)});
     if (chip(ui, entry.label, entry.name, *entry.on, entry.tip)) *entry.on = !*entry.on;
@@ -227,37 +245,22 @@ void drawViewTools(const PanelContext& ui, const Box& box) {
   ImGui::PopClipRect();
 }
 
-void adaptQuality(const PanelContext& ui) {
-  DeskUi::View& my = ui.state.desk.view;
-  const std::string now = render::cameraText(ui.session.camera);
-  const bool moves = ui.session.playback.playing || now != my.seen || ui.session.compiling();
-  my.seen = now;
-  adaptQuality(my, moves, ui.elapsed_s);
+const DrawnQuality& adaptQuality(const Session& session, DeskUi::View& my, double elapsed_s) {
+  const render::Camera& camera = session.camera;
+  const bool mission = session.inMission();
+  const bool turned = mission ? session.mission().view.camera != my.seen_mission : camera != my.seen;
+  const bool moves = turned || (mission ? session.mission().clock.playing : session.playback.playing || session.compiling() || session.frameStamp() != my.seen_stamp);
+  my.seen = camera;
+  my.seen_mission = session.mission().view.camera;
+  my.seen_stamp = session.frameStamp();
+  return my.chooser.choose(my.quality, moves, elapsed_s);
 }
 
-void adaptQuality(DeskUi::View& my, bool moves, double elapsed_s) {
-  constexpr std::array kShares{1.0, 0.71, 0.5, 0.35};
-  constexpr double kTooSlow_s = 0.050, kEasy_s = 0.022, kRest_s = 0.15, kSettle_s = 0.25;
-  my.rested_s = moves ? 0.0 : my.rested_s + elapsed_s;
-  if (my.quality != "automatic") {
-    my.share = my.quality == "draft" ? 0.5 : my.quality == "normal" ? 0.71 : 1.0;
-    return;
-  }
-  if (my.rested_s > kRest_s) {
-    // At rest every pixel is drawn; how fast it moved last is remembered in `interval_s`.
-    my.share = 1.0;
-    my.moved_s = 0.0;
-    return;
-  }
-  if (!moves) return;
-  my.moved_s += elapsed_s;
-  my.interval_s += 0.25 * (elapsed_s - my.interval_s);
-  if (my.moved_s < kSettle_s) return;
-  const auto at = std::ranges::find(kShares, my.share);
-  if (my.interval_s > kTooSlow_s && at + 1 < kShares.end()) my.share = *(at + 1);
-  else if (my.interval_s < kEasy_s && at != kShares.begin() && at != kShares.end()) my.share = *(at - 1);
-  else return;
-  my.moved_s = 0.0;
+int drawnPixels(const PanelContext& ui, float length) { return std::max(1, static_cast<int>(static_cast<double>(length) * ui.state.desk.view.chooser.drawn().share)); }
+
+void lookAlong(const PanelContext& ui, const char* name) {
+  if (ui.session.explosion() == nullptr) return;
+  if (const auto camera = render::parseCamera(name, ui.session.explosion()->extent(), ui.session.aspect())) ui.session.camera = *camera;
 }
 
 void keepBookmark(const PanelContext& ui, std::size_t index) {

@@ -13,16 +13,18 @@ std::optional<ImVec2> placeInPicture(const render::Camera& camera, const Box& bo
 /// the camera.
 Vec3 placeUnder(const render::Camera& camera, const Box& box, ImVec2 at, double ground_m);
 
-/// Sets the ruler's ends where the last item, the viewport, is clicked. True while the pointer belongs to the ruler.
+/// Sets the ruler's ends where the last item, the viewport, is clicked.
 void handleRuler(const PanelContext& ui, const Box& box);
 /// Extent box, ruler and scale, over the picture; then the strip of view tools in its lower right corner.
 void drawViewTools(const PanelContext& ui, const Box& box);
 
-/// Chooses at how many of its pixels the picture is drawn, once a frame: all of them while nothing moves, and while something does as many as
-/// keep up with it.
-void adaptQuality(const PanelContext& ui);
-/// The same from what it depends on: whether something `moves`, and the time since the last frame.
-void adaptQuality(DeskUi::View& view, bool moves, double elapsed_s);
+/// Chooses how finely pictures are drawn, once a frame.
+const DrawnQuality& adaptQuality(const Session& session, DeskUi::View& view, double elapsed_s);
+/// How many pixels are drawn for so many of the display.
+int drawnPixels(const PanelContext& ui, float length);
+
+/// A view along an axis ("front", "top", ...) that has the whole effect in sight.
+void lookAlong(const PanelContext& ui, const char* name);
 
 /// Cameras kept under 1 to 4.
 inline constexpr std::size_t kBookmarks = 4;

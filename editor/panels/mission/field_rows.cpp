@@ -108,7 +108,7 @@ Choices choicesOf(const PanelContext& ui, const Field& field) {
   if (field.key != "preset") return out;
   out.emplace_back("", "by the weapon");
   for (const LibraryEntry& entry : ui.session.presets()) {
-    const std::string file = entry.path.filename().string(), name = file.substr(0, file.find('.', 1));
+    const std::string name = bareName(entry.path);
     out.emplace_back(name, entry.title.empty() ? name : entry.title);
   }
   return out;

@@ -28,7 +28,7 @@ std::optional<Label> labelOf(const PanelContext& ui, const Box& box, const rende
   const Recording& recording = *mission.recording();
   const double t = mission.clock.time_s;
   const auto index = static_cast<std::size_t>(mark.index);
-  Label out{{}, {box.at.x + static_cast<float>(mark.x), box.at.y + static_cast<float>(mark.y)}, static_cast<float>(0.5 * std::clamp(mark.size_px, 8.0, 60.0)) + ui.px(5), 0, 5, mark.depth_m};
+  Label out{{}, {box.at.x + static_cast<float>(mark.x), box.at.y + static_cast<float>(mark.y)}, 0.5f * std::clamp(static_cast<float>(mark.size_px), ui.px(8), ui.px(60)) + ui.px(5), 0, 5, mark.depth_m};
   const ObjectRef& selected = mission.document.selected();
   switch (mark.kind) {
     case MarkKind::vehicle: {
@@ -57,6 +57,9 @@ std::optional<Label> labelOf(const PanelContext& ui, const Box& box, const rende
     case MarkKind::burst:
     case MarkKind::belief: return std::nullopt;
   }
+  // Above the mark that stands over what it names.
+  const bool marked = mark.kind != MarkKind::shell && mission.view.overlays.icons && mark.size_px <= 110.0 * static_cast<double>(ui.scale);
+  if (marked) out.above = std::max(out.above, ui.px(20));
   if (out.rank == 0) out.colour = ui.theme.accent;
   // What a hill hides is named only where it is selected.
   if (mark.hidden && out.rank != 0) return std::nullopt;

@@ -67,7 +67,7 @@ void drawRulerPanel(const PanelContext& ui) {
   MissionSession& mission = ui.session.mission();
   Ruler& ruler = mission.ruler;
   if (!ruler.complete() || mission.recording() == nullptr) {
-    ImGui::TextDisabled("%s", ruler.points == 1 ? "Click the second point." : ruler.active ? "Click two points of the ground, in the picture or in the plan." : "Switch the ruler on (R), then click two points of the ground.");
+    ImGui::TextDisabled("%s", ruler.points == 1 ? "Click the second point." : ruler.active ? "Click two points of the ground, in the picture or in the plan." : "Switch the ruler on (M), then click two points of the ground.");
     return;
   }
   const Terrain& terrain = mission.recording()->terrain;

@@ -98,7 +98,7 @@ void drawMissionToolbar(const PanelContext& ui) {
     drawShowMenu(ui);
   }
   ImGui::SetCursorScreenPos({at.x + width - ruler, at.y + ui.px(5)});
-  if (chip(ui, "Ruler", "ruler", mission.ruler.active, "Distance, azimuth and sight between two points (R)")) {
+  if (chip(ui, "Ruler", "ruler", mission.ruler.active, "Distance, azimuth and sight between two points (M)")) {
     mission.ruler.active = !mission.ruler.active;
     if (mission.ruler.active) ui.state.mission.bottom = MissionUi::Bottom::ruler;
   }

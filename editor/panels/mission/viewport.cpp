@@ -1,4 +1,5 @@
 #include "editor/document/camera_moves.h"
+#include "editor/panels/desk/view_tools.h"
 #include "editor/panels/mission/panels.h"
 #include "editor/ui/controls.h"
 
@@ -261,10 +262,13 @@ void drawMissionViewport(const PanelContext& ui) {
   ui.item("viewport");
   steer(ui, box);
   ui.resting("viewport", "Click selects, left drag turns, middle drag shifts, the wheel moves nearer; dragging the selected thing moves it.");
-  ImGui::GetWindowDrawList()->AddRectFilled(box.at, box.end(), ui.theme.background);
-  if (mission.recording() == nullptr) return drawNothing(ui, box);
-  if (const ImTextureID texture = ui.pictures.mission(mission, static_cast<int>(box.width), static_cast<int>(box.height)))
-    ImGui::GetWindowDrawList()->AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (mission.recording() == nullptr) {
+    list.AddRectFilled(box.at, box.end(), ui.theme.background);
+    return drawNothing(ui, box);
+  }
+  if (const ImTextureID texture = ui.pictures.mission(mission, drawnPixels(ui, box.width), drawnPixels(ui, box.height))) list.AddImage(texture, box.at, box.end(), {0, 1}, {1, 0});
+  else list.AddRectFilled(box.at, box.end(), ui.theme.background);
   drawOver(ui, box);
 }
 

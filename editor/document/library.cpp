@@ -1,0 +1,47 @@
+#include "editor/document/library.h"
+
+#include "editor/document/folder.h"
+#include "editor/mission/document.h"
+
+#include <npsee/preset.h>
+#include <npsee/scenario.h>
+
+namespace npsee::editor {
+
+namespace fs = std::filesystem;
+
+std::string bareName(const fs::path& file) {
+  const std::string name = file.filename().string();
+  for (const std::string_view ending : {".npsee.json", ".mission.json"})
+    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  return file.stem().string();
+}
+
+const LibraryEntry& Library::entry(const fs::path& file) {
+  const FileStamp stamp = stampOf(file);
+  const auto known = known_.find(file);
+  if (known != known_.end() && known->second.stamp == stamp) return known->second.entry;
+  LibraryEntry out;
+  const auto take = [&](const auto& document) {
+    if (document) out = {file, document->title, document->description, {}, true};
+    else out = {file, {}, document.error().text(), {}, false};
+  };
+  if (isMissionFile(file)) {
+    take(loadScenario(file));
+  } else {
+    const auto preset = loadPreset(file);
+    take(preset);
+    if (preset) out.tags = preset->tags;
+  }
+  return known_.insert_or_assign(file, Known{stamp, std::move(out)}).first->second.entry;
+}
+
+std::vector<LibraryEntry> Library::folder(const fs::path& folder, std::string_view ending) {
+  std::vector<LibraryEntry> out;
+  if (folder.empty()) return out;
+  for (const FolderListing::Entry& listed : listFolder(folder).entries)
+    if (!listed.folder && listed.name.ends_with(ending)) out.push_back(entry(fs::absolute(folder).lexically_normal() / listed.name));
+  return out;
+}
+
+}  // namespace npsee::editor
