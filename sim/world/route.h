@@ -29,7 +29,10 @@ class Router {
   const std::vector<std::uint8_t>& open(Medium medium);
   std::int32_t nearestOpen(Medium medium, const Place& place);
   const Field& field(Medium medium, std::int32_t goal);
-  Place centre(std::int32_t cell) const { return {(cell % columns_ + 0.5) * cell_x_, (cell / columns_ + 0.5) * cell_z_}; }
+  Place centre(std::int32_t cell) const {
+    const std::int32_t column = cell % columns_, row = cell / columns_;
+    return {(column + 0.5) * cell_x_, (row + 0.5) * cell_z_};
+  }
 
   const Passable& passable_;
   int columns_ = 0, rows_ = 0;
