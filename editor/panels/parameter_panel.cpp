@@ -7,6 +7,8 @@
 #include <imgui_stdlib.h>
 
 #include <array>
+#include <span>
+#include <vector>
 
 namespace npsee::editor {
 namespace {
@@ -73,9 +75,7 @@ void sectionMenu(const PanelContext& ui, Section section) {
   });
 }
 
-void drawSection(const PanelContext& ui, Section section, const std::string& word) {
-  const auto rows = rowsOf(ui, section, word);
-  if (rows.empty()) return;
+void drawSection(const PanelContext& ui, Section section, std::span<const Parameter* const> rows, const std::string& word) {
   for (const Parameter* row : rows)
     if (asked(ui, *row)) ui.state.folded.erase(section);
   // A search shows what it found.
@@ -118,8 +118,10 @@ void drawParameterPanel(const PanelContext& ui) {
   bool any = false;
   ui.state.tabbing.before.clear();
   for (const Section section : kOrder) {
-    any = any || !rowsOf(ui, section, word).empty();
-    drawSection(ui, section, word);
+    const auto rows = rowsOf(ui, section, word);
+    if (rows.empty()) continue;
+    any = true;
+    drawSection(ui, section, rows, word);
   }
   if (!any) ImGui::TextDisabled("No parameter has \"%s\" in its name.", ui.state.search.c_str());
   ImGui::EndChild();

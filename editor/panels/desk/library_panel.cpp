@@ -26,6 +26,7 @@ std::vector<std::string> tagsOf(const std::string& text) {
 }
 
 bool matches(const LibraryEntry& entry, const DeskUi::Library& my) {
+  if (my.tag.empty() && my.word.empty()) return true;
   const auto tags = tagsOf(entry.tags);
   if (!my.tag.empty() && std::ranges::find(tags, my.tag) == tags.end()) return false;
   const std::string all = capitals(entry.title + ' ' + bareName(entry.path) + ' ' + entry.tags + ' ' + entry.description);
