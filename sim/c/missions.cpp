@@ -125,7 +125,7 @@ npsee_status npsee_mission_order(npsee_mission* mission, const npsee_order* orde
   NPSEE_NEEDS(mission);
   NPSEE_NEEDS(order);
   return c::guarded(__func__, [&] {
-    if (static_cast<int>(order->kind) < NPSEE_DRIVE || static_cast<int>(order->kind) > NPSEE_SHOOT) return c::refuse(NPSEE_USAGE, "there is no such kind of order.");
+    if (order->kind < NPSEE_DRIVE || order->kind > NPSEE_SHOOT) return c::refuse(NPSEE_USAGE, "there is no such kind of order.");
     for (const double number : {order->t_s, order->speed_mps, order->turn_radps, order->x_m, order->z_m, order->right_m, order->add_m})
       if (!std::isfinite(number)) return c::refuse(NPSEE_USAGE, "a number of the order is not finite.");
     mission->value.command(commandOf(*order));

@@ -343,7 +343,7 @@ static void mission_errors(void) {
   order.x_m = zero / zero;
   REFUSED(NPSEE_USAGE, npsee_mission_order(run, &order));
   order.x_m = 0.0;
-  order.kind = (npsee_order_kind)99;
+  order.kind = 99;
   REFUSED(NPSEE_USAGE, npsee_mission_order(run, &order));
   REFUSED(NPSEE_USAGE, npsee_mission_event(run, 1000000, text, sizeof text, NULL));
   REFUSED(NPSEE_USAGE, npsee_mission_vehicle(run, 1000000, 0.0, &vehicle));

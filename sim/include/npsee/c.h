@@ -356,7 +356,7 @@ typedef enum npsee_order_kind {
 /// One order; set everything you do not need to 0.
 typedef struct npsee_order {
   double t_s;                ///< when; a time already simulated counts as now
-  npsee_order_kind kind;
+  int kind;                  ///< an npsee_order_kind; a plain number, since others than these are refused
   const char* who;           ///< id of an observer or vehicle
   double speed_mps, turn_radps;
   double x_m, z_m;           ///< the place
