@@ -143,7 +143,7 @@ class Client {
 
 int main(int count, char** words) {
   const std::vector<std::string> arguments(words + 1, words + count);
-  const std::string_view what = arguments.empty() ? "" : arguments[0];
+  const std::string what = arguments.empty() ? std::string() : arguments[0];
   Client client;
   if (what == "drop" && arguments.size() >= 3) {
     std::string uris;
