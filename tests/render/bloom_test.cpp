@@ -34,9 +34,7 @@ class Blooming : public test::Rendering {
   static Image draw(const test::HandMade& made, bool bloom, Background::Kind background = Background::Kind::colour, int width = 320, int height = 180, double zoom = 1.0) {
     Camera camera = front(180);
     camera.fov_y_rad = 2.0 * std::atan(zoom * std::tan(0.5 * camera.fov_y_rad));
-    auto image = renderer_->drawToImage(sceneOf(made, bloom, background), camera, width, height);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(sceneOf(made, bloom, background), camera, width, height);
   }
   static test::HandMade flash(double size_m = 3.0) {
     test::HandMade made;

@@ -31,9 +31,7 @@ Scene outdoors(const test::HandMade& made) {
 
 struct Glowing : test::Rendering {
   Image draw(const Scene& scene, const Camera& camera) {
-    auto image = renderer_->drawToImage(scene, camera, kWidth, kHeight);
-    EXPECT_TRUE(image) << image.error().text();
-    return image ? *image : Image{};
+    return picture(scene, camera, kWidth, kHeight);
   }
 };
 

@@ -28,9 +28,7 @@ class GroundForms : public test::Rendering {
     scene.sky = sky;
     scene.grid = false;
     scene.background = {background, {}};
-    auto image = renderer_->drawToImage(scene, camera, 320, 180);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene, camera, 320, 180);
   }
 };
 

@@ -71,9 +71,7 @@ struct Heated : test::Rendering {
     Camera camera;
     camera.eye = {0.0, 5.0, 12.0};
     camera.target = {0.0, 5.0, 0.0};
-    auto image = renderer_->drawToImage(scene, camera, 96, 64);
-    EXPECT_TRUE(image) << image.error().text();
-    return image ? *image : Image{};
+    return picture(scene, camera, 96, 64);
   }
 };
 

@@ -24,9 +24,7 @@ class PieceEdges : public test::Rendering {
     Camera camera;
     camera.eye = {0.0, 10.0, 60.0};
     camera.target = {0.0, 10.0, 0.0};
-    auto image = renderer_->drawToImage(scene, camera, kWidth, kHeight);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene, camera, kWidth, kHeight);
   }
   /// A wall of thick smoke, twenty puffs deep from z = -10 to 10 m.
   static void addWall(test::HandMade& made) {

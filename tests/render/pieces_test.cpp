@@ -52,9 +52,7 @@ class PiecesRendering : public test::Rendering {
   }
   static Image draw(const Preset& preset, double t, Background::Kind background = Background::Kind::sky) {
     const auto from = still(preset, t, background);
-    auto image = renderer_->drawToImage(from->scene, camera(), 320, 200);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(from->scene, camera(), 320, 200);
   }
   static Camera camera() {
     Camera out;

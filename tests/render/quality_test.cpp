@@ -24,9 +24,7 @@ class Qualities : public test::Rendering {
     Camera camera;
     camera.eye = {0.0, 12.0, 60.0};
     camera.target = {0.0, 10.0, 0.0};
-    auto image = renderer_->drawToImage(scene, camera, width, height);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene, camera, width, height);
   }
   static test::HandMade burst() {
     test::HandMade made;

@@ -13,9 +13,7 @@ namespace {
 class Rendering : public test::Rendering {
  protected:
   static Image draw(const Scene& scene, const Camera& camera, int width = 320, int height = 180) {
-    auto image = renderer_->drawToImage(scene, camera, width, height);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene, camera, width, height);
   }
 };
 

@@ -156,9 +156,7 @@ class ShadedSmoke : public test::Rendering {
     scene.grid = false;
     scene.ground_colour = {0.46, 0.44, 0.38};
     scene.background.kind = kind;
-    auto image = renderer_->drawToImage(scene, camera, 320, 180);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene, camera, 320, 180);
   }
   static Camera from(const Vec3& eye) {
     Camera camera;

@@ -19,9 +19,7 @@ class TemplatePixels : public test::Rendering {
 
   Layer& layer() { return preset_.layers[0]; }
   Image draw(int width = 240, int height = 200) const {
-    auto image = renderer_->drawToImage(scene_, width, height);
-    EXPECT_TRUE(image) << (image ? "" : image.error().text());
-    return image ? *image : Image{};
+    return picture(scene_, width, height);
   }
 
   Preset preset_;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace npsee::test {
 
@@ -28,6 +29,14 @@ class Rendering : public ::testing::Test {
   }
   void SetUp() override { ASSERT_NE(renderer_, nullptr); }
   void TearDown() override { EXPECT_EQ(gl::pendingError(), nullptr); }
+
+  /// What the renderer draws of a scene; empty, and the test failed, where it cannot.
+  template <class... Arguments>
+  static render::Image picture(const Arguments&... arguments) {
+    auto image = renderer_->drawToImage(arguments...);
+    EXPECT_TRUE(image) << (image ? "" : image.error().text());
+    return image ? std::move(*image) : render::Image{};
+  }
 
   static inline std::unique_ptr<gl::Context> context_;
   static inline std::unique_ptr<render::Renderer> renderer_;
