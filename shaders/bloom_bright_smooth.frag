@@ -1,4 +1,5 @@
 #version 330 core
+#include "knee.glsl"
 #include "bloom.glsl"
 uniform sampler2DMS u_scene;  // linear premultiplied light of the effect, four samples a pixel
 uniform int u_cell;    // pixels a side that become one

@@ -6,7 +6,6 @@ uniform int u_linear;    // 1: scene light, premultiplied; 0: coded as on the sc
 
 // Takes back rolledOff: the backdrop is kept as it is displayed.
 vec3 unrolled(vec3 c) {
-  const float kKnee = 0.80;
   vec3 over = clamp((c - kKnee) / (1.0 - kKnee), 0.0, 0.999);
   return min(c, kKnee) + (1.0 - kKnee) * over / (1.0 - over);
 }

@@ -1,8 +1,8 @@
 // Linear light to a displayable picture.
+#include "knee.glsl"
 
 // Identity up to the knee, then smoothly towards 1, so that plain colours stay what they are and fire does not clip.
 vec3 rolledOff(vec3 c) {
-  const float kKnee = 0.80;
   vec3 over = max(c - kKnee, 0.0) / (1.0 - kKnee);
   return min(c, kKnee) + (1.0 - kKnee) * over / (1.0 + over);
 }
