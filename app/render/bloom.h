@@ -8,13 +8,12 @@
 
 namespace npsee::render {
 
-/// Spread light, as FinishPass adds it; none where `texture` is 0. With the camera's exposure, which both shall have.
+/// Spread light, as FinishPass adds it; none where `texture` is 0.
 struct BloomLight {
   GLuint texture = 0;  ///< linear light that has come to a place, of RGBA16F
   double share = 0.0;  ///< of the light above the threshold, which has left its own place
   double width_px = 0.0, height_px = 0.0;  ///< of the picture that the whole texture spans
   int cell_px = 1;     ///< side of a texel; light has left where its alpha is 1
-  double exposure = 1.0;   ///< factor on all light, before highlights roll off
 };
 
 /// Light that is too bright for the picture spreads over its neighbours, as in an eye or a lens.

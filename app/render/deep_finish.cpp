@@ -56,7 +56,7 @@ Expected<void> DeepFinish::draw(const Target& target, const TileMesh& tiles, con
   program.set("u_effect", with_effect ? 1.0f : 0.0f);
   program.set("u_linear", parts.linear ? 1 : 0);
   setPlain(program, parts.plain != nullptr ? *parts.plain : Colour{});
-  setBloom(program, with_effect ? parts.bloom : BloomLight{});
+  setLight(program, parts.exposure, with_effect ? parts.bloom : BloomLight{});
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, target.backdrop());
   glBindSampler(1, 0);

@@ -16,6 +16,7 @@ struct DeepParts {
   bool over_backdrop = false;    ///< else over `plain`
   const Colour* plain = nullptr; ///< sRGB-coded; null: over nothing
   bool linear = true;            ///< scene light, else as on the screen
+  double exposure = 1.0;         ///< as in FinishPass
   BloomLight bloom;
 };
 

@@ -43,20 +43,20 @@ Expected<void> FinishPass::add(const Target& target, const TileMesh& tiles, doub
   return {};
 }
 
-Expected<void> FinishPass::drawOverBackdrop(const Target& target, const TileMesh& tiles, const BloomLight& bloom) {
+Expected<void> FinishPass::drawOverBackdrop(const Target& target, const TileMesh& tiles, double exposure, const BloomLight& bloom) {
   target.copyBackdrop();
-  return lay(target, tiles, 2, {}, bloom);
+  return lay(target, tiles, 2, {}, exposure, bloom);
 }
 
-Expected<void> FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind, const BloomLight& bloom) {
+Expected<void> FinishPass::drawOverColour(const Target& target, const TileMesh& tiles, const Colour* behind, double exposure, const BloomLight& bloom) {
   const Colour plain = behind != nullptr ? *behind : Colour{};
   target.bindFinished();
   glClearColor(static_cast<float>(plain.r), static_cast<float>(plain.g), static_cast<float>(plain.b), behind != nullptr ? 1.0f : 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  return lay(target, tiles, behind != nullptr ? 1 : 0, plain, bloom);
+  return lay(target, tiles, behind != nullptr ? 1 : 0, plain, exposure, bloom);
 }
 
-Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles, const BloomLight& bloom) {
+Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& tiles, double exposure, const BloomLight& bloom) {
   gl::Program& program = target.draft() ? mission_draft_ : target.smooth() ? mission_smooth_ : mission_;
   if (!program)
     if (auto loaded = program.load("tiles.vert", target.draft() ? "finish_mission_draft.frag" : target.smooth() ? "finish_mission_smooth.frag" : "finish_mission.frag"); !loaded) return loaded;
@@ -65,7 +65,7 @@ Expected<void> FinishPass::drawMission(const Target& target, const TileMesh& til
   program.use();
   if (target.draft()) setDraft(program, target);
   program.set("u_scene", 0);
-  setBloom(program, bloom);
+  setLight(program, exposure, bloom);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(target.smooth() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.effect());
   glBindSampler(0, 0);
@@ -87,15 +87,15 @@ void FinishPass::setScene(const gl::Program& program, const Target& target, int 
   glBindSampler(0, 0);
 }
 
-Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, const BloomLight& bloom) {
-  if (target.draft()) return layDraft(target, tiles, behind, plain, bloom.exposure);
+Expected<void> FinishPass::lay(const Target& target, const TileMesh& tiles, int behind, const Colour& plain, double exposure, const BloomLight& bloom) {
+  if (target.draft()) return layDraft(target, tiles, behind, plain, exposure);
   if (target.smooth() && !smooth_)
     if (auto loaded = smooth_.load("tiles.vert", "finish_smooth.frag"); !loaded) return loaded;
   target.bindFinished();
   gl::drawPlainly();
   const gl::Program& program = target.smooth() ? smooth_ : single_;
   setScene(program, target, behind, plain);
-  setBloom(program, bloom);
+  setLight(program, exposure, bloom);
   tiles.draw(program, 0.0f);
   return {};
 }
@@ -130,9 +130,9 @@ void setDraft(const gl::Program& program, const Target& target) {
   set("u_texels", target.width(), target.height());
 }
 
-void setBloom(const gl::Program& program, const BloomLight& bloom) {
+void setLight(const gl::Program& program, double exposure, const BloomLight& bloom) {
   program.set("u_bloom", 2);
-  program.set("u_exposure", static_cast<float>(bloom.exposure));
+  program.set("u_exposure", static_cast<float>(exposure));
   program.set("u_bloom_share", static_cast<float>(bloom.texture != 0 ? bloom.share : 0.0));
   program.set("u_bloom_cell", bloom.cell_px);
   program.set("u_bloom_size", static_cast<float>(std::max(bloom.width_px, 1.0)), static_cast<float>(std::max(bloom.height_px, 1.0)));

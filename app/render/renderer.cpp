@@ -48,6 +48,8 @@ GroundLevel groundOf(const Scene& scene) {
   return ground;
 }
 
+double exposureOf(const Scene& scene) { return std::exp2(scene.exposure_stops); }
+
 void readBack(const Target& target, Image& image) {
   image.width = target.width();
   image.height = target.height();
@@ -88,8 +90,9 @@ struct Renderer::Impl {
   void prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const;
   /// What lies on the ground: burnt patches, shadows, light, blast fronts.
   Expected<void> drawOnGround(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground);
-  /// `singly`: to be finished in single precision.
-  Expected<void> draw(const Scene& scene, const View& view, Slot& slot, bool singly = false);
+  Expected<void> draw(const Scene& scene, const View& view, Slot& slot);
+  /// All but the finish: backdrop, effect and spread light. `singly`: to be finished in single precision.
+  Expected<void> drawLight(const Scene& scene, const View& view, Slot& slot, bool singly);
   /// In bands of so many rows, each in `image` when it is handed over.
   Expected<void> drawFloats(const Scene& scene, const View& view, const FloatRequest& request, int rows, Slot& slot, FloatImage& image, const TakeRows& take);
   Expected<void> draw(const TemplateScene& scene, Slot& slot);
@@ -101,6 +104,9 @@ struct Renderer::Impl {
   Expected<void> drawAmongPieces(const Frame& frame, const Scene& scene, const View& view, const GroundLevel& ground, Target& target);
   /// The same by the scene's quality into the target's effect.
   Expected<void> drawEffect(const Scene& scene, const View& view, const GroundLevel& ground, bool shadows, Target& target);
+  /// The mean of a fine picture's looks into the target's sum: `draw_look(index)` draws one into the target's effect.
+  template <class DrawLook>
+  Expected<void> sumLooks(Target& target, const DrawLook& draw_look);
   void passed(std::string_view pass) const;
   /// Marks what shines, and all that its spread light reaches.
   void markSpread(const Scene& scene, const View& view);
@@ -119,7 +125,7 @@ Expected<Renderer::Impl::Slot*> Renderer::Impl::sized(int index, int width, int 
 }
 
 void Renderer::Impl::prepareBackdrop(const Scene& scene, const View& view, Slot& slot) const {
-  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.sky, scene.grid, std::exp2(scene.exposure_stops)};
+  const Backdrop wanted{view, scene.ground_height_m, scene.ground_colour, scene.sky, scene.grid, exposureOf(scene)};
   // Frames of a sequence share their backdrop, which costs more to draw than a hundred pieces.
   if (slot.backdrop == wanted) return;
   backdrop.draw(slot.target, wanted);
@@ -200,17 +206,28 @@ Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, 
     passed("clear");
     return drawParticles(*scene.frame, scene, view, ground, shadows, nullptr);
   }
-  const bool fine = scene.quality == Quality::fine;
-  if (fine) {
-    if (auto bound = target.bindSum(); !bound) return bound;
-    finish.clear(tiles);
-  }
-  for (int look = 0; look < (fine ? FineFrames::kLooks : 1); ++look) {
+  const auto begin = [&]() -> Expected<void> {
     if (auto begun = target.beginEffect(false); !begun) return begun;
     finish.clear(tiles);
     passed("clear");
-    if (!fine) return drawParticles(*scene.frame, scene, view, ground, shadows, target.hasSamples() ? &target : nullptr);
-    if (auto drawn = drawParticles(looks.frameOf(*scene.frame, scene.layers, look), scene, FineFrames::viewOf(view, look, target.width(), target.height()), ground, shadows, nullptr); !drawn) return drawn;
+    return {};
+  };
+  if (scene.quality == Quality::normal) {
+    if (auto begun = begin(); !begun) return begun;
+    return drawParticles(*scene.frame, scene, view, ground, shadows, target.hasSamples() ? &target : nullptr);
+  }
+  return sumLooks(target, [&](int look) -> Expected<void> {
+    if (auto begun = begin(); !begun) return begun;
+    return drawParticles(looks.frameOf(*scene.frame, scene.layers, look), scene, FineFrames::viewOf(view, look, target.width(), target.height()), ground, shadows, nullptr);
+  });
+}
+
+template <class DrawLook>
+Expected<void> Renderer::Impl::sumLooks(Target& target, const DrawLook& draw_look) {
+  if (auto bound = target.bindSum(); !bound) return bound;
+  finish.clear(tiles);
+  for (int look = 0; look < FineFrames::kLooks; ++look) {
+    if (auto drawn = draw_look(look); !drawn) return drawn;
     if (auto bound = target.bindSum(); !bound) return bound;
     if (auto added = finish.add(target, tiles, 1.0 / FineFrames::kLooks); !added) return added;
     passed("sum");
@@ -218,7 +235,7 @@ Expected<void> Renderer::Impl::drawEffect(const Scene& scene, const View& view, 
   return {};
 }
 
-Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot, bool singly) {
+Expected<void> Renderer::Impl::drawLight(const Scene& scene, const View& view, Slot& slot, bool singly) {
   const bool outdoors = scene.background.kind == Background::Kind::sky;
   const bool particles = scene.frame != nullptr && scene.frame->count > 0;
   const bool draft = scene.quality == Quality::draft;
@@ -249,22 +266,28 @@ Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& 
     if (auto drawn = drawEffect(scene, seen, ground, shadows, target); !drawn) return drawn;
   if (auto done = spreadLight(target); !done) return done;
   passed("bloom");
+  return {};
+}
+
+Expected<void> Renderer::Impl::draw(const Scene& scene, const View& view, Slot& slot) {
+  if (auto drawn = drawLight(scene, view, slot, false); !drawn) return drawn;
+  Target& target = slot.target;
+  const bool outdoors = scene.background.kind == Background::Kind::sky;
   const Colour* plain = scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr;
-  spread.exposure = std::exp2(scene.exposure_stops);
-  if (auto finished = outdoors ? finish.drawOverBackdrop(target, tiles, spread) : finish.drawOverColour(target, tiles, plain, spread); !finished) return finished;
+  if (auto finished = outdoors ? finish.drawOverBackdrop(target, tiles, exposureOf(scene), spread) : finish.drawOverColour(target, tiles, plain, exposureOf(scene), spread); !finished) return finished;
   passed("finish");
   return drawnWithoutError();
 }
 
 Expected<void> Renderer::Impl::drawFloats(const Scene& scene, const View& view, const FloatRequest& request, int rows, Slot& slot, FloatImage& image, const TakeRows& take) {
   if (request.colour)
-    if (auto drawn = draw(scene, view, slot, true); !drawn) return drawn;
+    if (auto drawn = drawLight(scene, view, slot, true); !drawn) return drawn;
   if (request.colour)
     if (auto made = makeOnce(deep); !made) return made;
   if (request.depth || request.motion)
     if (auto made = makeOnce(surfaces); !made) return made;
   // `mask` still marks the effect's tiles.
-  const DeepParts parts{mask, scene.background.kind == Background::Kind::sky, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr, request.linear, spread};
+  const DeepParts parts{mask, scene.background.kind == Background::Kind::sky, scene.background.kind == Background::Kind::colour ? &scene.background.colour : nullptr, request.linear, exposureOf(scene), spread};
   const Frame* frame = scene.frame != nullptr && scene.frame->count > 0 ? scene.frame : nullptr;
   const GroundLevel ground = groundOf(scene);
   const int width = slot.target.width(), height = slot.target.height();
@@ -295,7 +318,7 @@ Expected<void> Renderer::Impl::draw(const TemplateScene& scene, Slot& slot) {
   tiles.upload(mask);
   finish.clear(tiles);
   icon->draw(scene, target.width(), target.height());
-  if (auto finished = finish.drawOverColour(target, tiles, TemplatePass::background(scene), {}); !finished) return finished;
+  if (auto finished = finish.drawOverColour(target, tiles, TemplatePass::background(scene), 1.0, {}); !finished) return finished;
   return drawnWithoutError();
 }
 
@@ -308,23 +331,15 @@ Expected<void> Renderer::Impl::draw(MissionScene& scene, const Recording& record
   mask.markAll();
   tiles.upload(mask);
   bright.reset(width, height);
-  if (fine) {
-    if (auto bound = target.bindSum(); !bound) return bound;
-    finish.clear(tiles);
-  }
-  for (int look = 0; look < (fine ? FineFrames::kLooks : 1); ++look) {
+  const auto drawAt = [&](double at_s, const std::array<double, 2>& aside) -> Expected<void> {
     if (auto begun = draft ? target.beginDraft() : target.beginEffect(!fine && view.smooth); !begun) return begun;
-    const auto [x, y] = fine ? FineFrames::asideOf(look, width, height) : std::array<double, 2>{};
-    const double at_s = fine ? std::max(time_s + FineFrames::timeOf(look), 0.0) : time_s;
-    if (auto drawn = scene.draw(effects, recording, at_s, view, width, height, {draft ? target.draftWidth() : width, draft ? target.draftHeight() : height, x, y}, bright); !drawn) return drawn;
-    if (!fine) break;
-    if (auto bound = target.bindSum(); !bound) return bound;
-    if (auto added = finish.add(target, tiles, 1.0 / FineFrames::kLooks); !added) return added;
-  }
+    return scene.draw(effects, recording, at_s, view, width, height, {draft ? target.draftWidth() : width, draft ? target.draftHeight() : height, aside[0], aside[1]}, bright);
+  };
+  const auto drawLook = [&](int look) { return drawAt(std::max(time_s + FineFrames::timeOf(look), 0.0), FineFrames::asideOf(look, width, height)); };
+  if (auto drawn = fine ? sumLooks(target, drawLook) : drawAt(time_s, {}); !drawn) return drawn;
   if (draft) bright.reset(width, height);
   if (auto done = spreadLight(target); !done) return done;
-  spread.exposure = std::exp2(view.exposure_stops);
-  if (auto finished = finish.drawMission(target, tiles, spread); !finished) return finished;
+  if (auto finished = finish.drawMission(target, tiles, std::exp2(view.exposure_stops), spread); !finished) return finished;
   return drawnWithoutError();
 }
 
