@@ -1,5 +1,6 @@
 #include "app/render/blend_order.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/heat.h"
 #include "app/render/meshes.h"
 #include "app/render/solid_pass.h"
@@ -58,13 +59,13 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     const bool soft = isSoft(layer.form);
     if (!soft && !isSolid(layer.form) && !layer.pieces) continue;
     if (wanted != Blended::all && soft != (wanted == Blended::soft)) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       const float a = frame.a[i];
       if (frame.size[i] <= 0.0f || a <= 0.0f || (!soft && a > kOpaque)) continue;
+      const Vec3 at = placeOf(frame, i);
       const bool cloud = layer.form == Form::smoke || layer.form == Form::fire;
-      if (shade != nullptr && cloud && shade->hidden({static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}, 0.5 * static_cast<double>(frame.size[i]), view.right, view.up)) continue;
-      const double depth = view.depthOf(static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i]));
+      if (shade != nullptr && cloud && shade->hidden(at, 0.5 * static_cast<double>(frame.size[i]), view.right, view.up)) continue;
+      const double depth = view.depthOf(at.x, at.y, at.z);
       entries_.push_back({static_cast<float>(depth), static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(l)});
     }
   }

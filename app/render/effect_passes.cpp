@@ -1,5 +1,6 @@
 #include "app/render/effect_passes.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/make_once.h"
 #include "app/render/meshes.h"
 
@@ -41,11 +42,6 @@ constexpr std::size_t kLongRun = 32;
 /// Most steps in which what is blended and the edges of pieces among it are drawn in turn.
 constexpr std::size_t kSteps = 32;
 
-/// The span cut to the particles the frame really holds.
-std::size_t countIn(const LayerSpan& layer, const Frame& frame) {
-  return layer.first >= frame.count ? 0 : std::min(layer.count, frame.count - layer.first);
-}
-
 }  // namespace
 
 Expected<EffectPasses> EffectPasses::create() {
@@ -72,7 +68,7 @@ Expected<void> EffectPasses::drawOutlines(const Frame& frame, std::span<const La
 template <class Pass, class Draw>
 Expected<void> EffectPasses::drawLayers(std::optional<Pass>& pass, Form form, const Frame& frame, std::span<const LayerSpan> layers, Draw draw) {
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = countIn(layer, frame);
+    const std::size_t count = particlesOf(layer, frame).size();
     if (count == 0 || layer.form != form) continue;
     if (auto made = makeOnce(pass); !made) return made;
     draw(*pass, layer, count);
@@ -96,7 +92,7 @@ Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   const double share = shadowShare(ground);
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = countIn(layer, frame);
+    const std::size_t count = particlesOf(layer, frame).size();
     const double strength = layer.pieces && hasOutlines(ground) ? 0.0 : share * shadowStrength(layer.form);
     if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
   }
@@ -116,7 +112,7 @@ Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& groun
 
 Expected<void> EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = countIn(layer, frame);
+    const std::size_t count = particlesOf(layer, frame).size();
     if (count == 0) continue;
     if (isSolid(layer.form)) {
       solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
@@ -176,21 +172,18 @@ Expected<void> EffectPasses::drawAmong(const PiecesDrawn& pieces, const View& vi
     farthest_m = std::max(farthest_m, piece.farthest_m);
   }
   const auto soft = order_.instances();
-  const auto depth = [&](std::size_t i) { return view.depthOf(static_cast<double>(soft[i].x), static_cast<double>(soft[i].y), static_cast<double>(soft[i].z)); };
-  const auto firstBefore = [&](double depth_m) {
-    std::size_t i = 0;
-    while (i < soft.size() && depth(i) > depth_m) ++i;
-    return i;
-  };
+  const auto depthOf = [&](const BlendedInstance& puff) { return view.depthOf(static_cast<double>(puff.x), static_cast<double>(puff.y), static_cast<double>(puff.z)); };
+  const auto firstBefore = [&](double depth_m) { return static_cast<std::size_t>(std::ranges::partition_point(soft, [&](const BlendedInstance& puff) { return depthOf(puff) > depth_m; }) - soft.begin()); };
   const std::size_t begin = firstBefore(farthest_m), end = firstBefore(nearest_m), steps = std::min(kSteps, end - begin);
   double behind_m = std::numeric_limits<double>::infinity();
   std::size_t drawn = 0;
   for (std::size_t step = 0; step < steps; ++step) {
     const std::size_t next = begin + (end - begin) * step / steps;
-    if (!pieces.spread.reaches(depth(next), behind_m)) continue;
+    const double next_m = depthOf(soft[next]);
+    if (!pieces.spread.reaches(next_m, behind_m)) continue;
     if (auto done = drawSoft(drawn, next, view, ground); !done) return done;
-    pieces.edges.lay(pieces.target, pieces.spread, view, depth(next), behind_m);
-    behind_m = depth(next);
+    pieces.edges.lay(pieces.target, pieces.spread, view, next_m, behind_m);
+    behind_m = next_m;
     drawn = next;
   }
   if (auto done = drawSoft(drawn, end, view, ground); !done) return done;
@@ -215,7 +208,7 @@ Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<con
     pieces_surfaces_->drawSurfaces(view, frame, layer, ground, surface);
   }
   for (const LayerSpan& layer : layers)
-    if (const std::size_t count = countIn(layer, frame); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
+    if (const std::size_t count = particlesOf(layer, frame).size(); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
   return {};
 }
 

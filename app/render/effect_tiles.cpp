@@ -1,5 +1,6 @@
 #include "app/render/effect_tiles.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/heat.h"
 #include "app/render/meshes.h"
 #include "app/render/shock_pass.h"
@@ -70,7 +71,7 @@ double reachOf(const Frame& frame, std::size_t i, Form form, double above_ground
 
 /// Marks a blast front or a burnt patch; the ground's share of them only where the ground is drawn on.
 bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, const View& view, double ground_m, bool on_ground) {
-  const Vec3 at{static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])};
+  const Vec3 at = placeOf(frame, i);
   const double radius = 0.5 * static_cast<double>(frame.size[i]);
   // A square's corners lie farther out than its sides.
   if (form == Form::scorch) return !on_ground || markRound(mask, view, {at.x, ground_m, at.z}, 1.4143 * radius, true);
@@ -78,8 +79,6 @@ bool markOnGround(TileMask& mask, const Frame& frame, std::size_t i, Form form, 
   const double least = 1.5 * view.metre_per_pixel * length(Vec3{at.x, ground_m, at.z} - view.eye);
   return !on_ground || std::abs(at.y - ground_m) >= radius || markRound(mask, view, {at.x, ground_m, at.z}, radius + std::max(kRingWidth * radius, least), true);
 }
-
-Vec3 placeOf(const Frame& frame, std::size_t i) { return {static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}; }
 
 /// Whether a particle may be brighter than the roll-off's threshold: streaks are up to 3.2 times their colour, fire and flash more; pieces only if they are hot.
 bool mayDazzle(const Frame& frame, std::size_t i, const LayerSpan& layer) {
@@ -100,8 +99,7 @@ void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
   for (const LayerSpan& layer : layers) {
     const bool hot_pieces = (isSolid(layer.form) || layer.form == Form::pieces) && layer.temperature_k > 0.0;
     if (!hot_pieces && (!isSoft(layer.form) || layer.form == Form::smoke)) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       if (!mayDazzle(frame, i, layer)) continue;
       if (!markRound(mask, view, placeOf(frame, i), reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
     }
@@ -112,8 +110,7 @@ void findPieces(PieceSpread& out, const TileMask& mask, const Frame& frame, std:
   out.pieces.clear();
   for (const LayerSpan& layer : layers) {
     if (!isSolid(layer.form) && !layer.pieces) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       if (frame.size[i] <= 0.0f || frame.a[i] <= 0.0f) continue;
       const Vec3 at = placeOf(frame, i);
       const double reach = reachOf(frame, i, layer.form, at.y - ground.height_m), depth = view.depthOf(at.x, at.y, at.z);
@@ -140,19 +137,19 @@ void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
     if (!bounded) return mask.markAll();
   }
   for (const LayerSpan& layer : layers) {
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       if (frame.size[i] <= 0.0f) continue;
       if (layer.form == Form::shock || layer.form == Form::scorch) {
         if (!markOnGround(mask, frame, i, layer.form, view, ground_m, shadows)) return mask.markAll();
         continue;
       }
-      const double x = static_cast<double>(frame.x[i]), y = static_cast<double>(frame.y[i]), z = static_cast<double>(frame.z[i]), size = static_cast<double>(frame.size[i]);
-      bool bounded = markRound(mask, view, {x, y, z}, reachOf(frame, i, layer.form, y - ground_m), false);
+      const Vec3 at = placeOf(frame, i);
+      const double size = static_cast<double>(frame.size[i]);
+      bool bounded = markRound(mask, view, at, reachOf(frame, i, layer.form, at.y - ground_m), false);
       if (bounded && shadows) {
         const Vec3& sun = ground.hour.towards_key;
-        const double height_m = std::max(y - ground_m, 0.25 * size), far_m = height_m / sun.y;
-        bounded = markShadow(mask, view, {x - sun.x * far_m, ground_m, z - sun.z * far_m}, kBlobSize * size + kBlobGrowth * height_m, sun);
+        const double height_m = std::max(at.y - ground_m, 0.25 * size), far_m = height_m / sun.y;
+        bounded = markShadow(mask, view, {at.x - sun.x * far_m, ground_m, at.z - sun.z * far_m}, kBlobSize * size + kBlobGrowth * height_m, sun);
       }
       if (!bounded) return mask.markAll();
     }

@@ -1,5 +1,6 @@
 #include "app/render/fine_frames.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/meshes.h"
 #include "app/render/quality.h"
 
@@ -26,8 +27,7 @@ const Frame& FineFrames::frameOf(const Frame& frame, std::span<const LayerSpan> 
   const auto dt = static_cast<float>(timeOf(look));
   for (const LayerSpan& layer : layers) {
     if (!isSolid(layer.form) && layer.form != Form::pieces) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       moved_.x[i] = frame.x[i] + dt * frame.vx[i];
       moved_.y[i] = frame.y[i] + dt * frame.vy[i];
       moved_.z[i] = frame.z[i] + dt * frame.vz[i];

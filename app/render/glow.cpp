@@ -1,5 +1,6 @@
 #include "app/render/glow.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/heat.h"
 
 #include <algorithm>
@@ -28,12 +29,11 @@ Glow glowOf(const Frame& frame, std::span<const LayerSpan> layers) {
   for (const LayerSpan& layer : layers) {
     const double bright = brightness(layer.form);
     if (bright <= 0.0) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) {
+    for (const std::size_t i : particlesOf(layer, frame)) {
       const double radius = 0.5 * static_cast<double>(frame.size[i]);
       const double area = radius * radius * static_cast<double>(frame.a[i]);
       if (!(area > 0.0)) continue;
-      const Vec3 place{static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])};
+      const Vec3 place = placeOf(frame, i);
       weight += area;
       moment = moment + area * place;
       spread += area * dot(place, place);

@@ -1,5 +1,6 @@
 #include "app/render/heat.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/srgb.h"
 #include "app/render/view.h"
 
@@ -60,8 +61,7 @@ void temperaturesOf(const Frame& frame, std::span<const LayerSpan> layers, std::
   out.resize(frame.count, 0.0f);
   for (const LayerSpan& layer : layers) {
     if (layer.temperature_k <= 0.0) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i) out[i] = static_cast<float>(temperatureAt(layer, frame, i));
+    for (const std::size_t i : particlesOf(layer, frame)) out[i] = static_cast<float>(temperatureAt(layer, frame, i));
   }
 }
 

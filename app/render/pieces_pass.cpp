@@ -2,6 +2,7 @@
 
 #include "app/gl/state.h"
 #include "app/gl/vertices.h"
+#include "app/render/frame_particles.h"
 #include "app/render/heat.h"
 #include "app/render/solid_pass.h"
 
@@ -144,9 +145,10 @@ void PiecesPass::prepare(const gl::Program& program, const View& view, const Gro
 
 void PiecesPass::drawModels(const gl::Program& program, const Frame& frame, const LayerSpan& layer, const GroundLevel& ground) {
   const Loaded& model = loaded(layer.pieces);
-  const std::size_t each = layer.pieces->pieces.size(), end = std::min(layer.first + layer.count, frame.count);
-  for (std::size_t first = layer.first; first < end; first += each) {
-    const std::size_t count = std::min(each, end - first);
+  const auto all = particlesOf(layer, frame);
+  const std::size_t each = layer.pieces->pieces.size();
+  for (std::size_t done = 0; done < all.size(); done += each) {
+    const std::size_t first = layer.first + done, count = std::min(each, all.size() - done);
     fill(frame, first, count, layer, ground);
     upload();
     program.use();

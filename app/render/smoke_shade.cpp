@@ -1,5 +1,7 @@
 #include "app/render/smoke_shade.h"
 
+#include "app/render/frame_particles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,10 +21,9 @@ void forPuffs(const Frame& frame, std::span<const LayerSpan> layers, const Take&
   for (const LayerSpan& layer : layers) {
     const double share = absorbs(layer.form);
     if (share <= 0.0) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i)
+    for (const std::size_t i : particlesOf(layer, frame))
       if (frame.size[i] > 0.0f && frame.a[i] > 0.004f)
-        take(Vec3{static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])}, 0.5 * static_cast<double>(frame.size[i]), share * opticalDepthOf(std::min(static_cast<double>(frame.a[i]), 1.0)));
+        take(placeOf(frame, i), 0.5 * static_cast<double>(frame.size[i]), share * opticalDepthOf(std::min(static_cast<double>(frame.a[i]), 1.0)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "app/render/smoke_shadow.h"
 
+#include "app/render/frame_particles.h"
 #include "app/render/smoke_shade.h"
 
 #include <algorithm>
@@ -35,16 +36,16 @@ Sun sunOf(const Vec3& k) {
 bool shadeOf(const Frame& frame, std::size_t i, const ShadowPlane& ground, const Sun& sun, Shade& out) {
   const double size = static_cast<double>(frame.size[i]), opacity = std::min(static_cast<double>(frame.a[i]), 1.0);
   if (!(size > 0.0) || !(opacity > 0.004)) return false;
-  const double x = static_cast<double>(frame.x[i]), z = static_cast<double>(frame.z[i]);
-  const double height = static_cast<double>(frame.y[i]) - ground.height_m - ground.slope_x * x - ground.slope_z * z;
+  const Vec3 at = placeOf(frame, i);
+  const double height = at.y - ground.height_m - ground.slope_x * at.x - ground.slope_z * at.z;
   if (height < -0.5 * size) return false;
   const double r = 0.5 * size * kCore, above = std::max(height, 0.25 * size), penumbra = kPenumbra * above;
   const double albedo = std::clamp(0.3333 * (static_cast<double>(frame.r[i]) + static_cast<double>(frame.g[i]) + static_cast<double>(frame.b[i])), 0.0, 1.0);
   out.across = r + penumbra;
   // Spread over more ground it is thinner. The colours are coded: their square is about the light.
   out.depth = kThickness * opticalDepthOf(opacity) * (1.0 - kForward * albedo * albedo) * r * r / (out.across * out.across);
-  out.u = x * sun.x + z * sun.z + sun.throw_per_m * above;
-  out.v = z * sun.x - x * sun.z;
+  out.u = at.x * sun.x + at.z * sun.z + sun.throw_per_m * above;
+  out.v = at.z * sun.x - at.x * sun.z;
   return out.depth > 0.002;
 }
 
@@ -53,8 +54,7 @@ void forShades(const Frame& frame, std::span<const LayerSpan> layers, const Shad
   Shade shade;
   for (const LayerSpan& layer : layers) {
     if (layer.form != Form::smoke) continue;
-    const std::size_t end = std::min(layer.first + layer.count, frame.count);
-    for (std::size_t i = layer.first; i < end; ++i)
+    for (const std::size_t i : particlesOf(layer, frame))
       if (shadeOf(frame, i, ground, sun, shade)) take(shade);
   }
 }

@@ -1,5 +1,7 @@
 #include "editor/document/statistics.h"
 
+#include "app/render/frame_particles.h"
+
 #include <npsee/fragments.h>
 
 #include <algorithm>
@@ -19,11 +21,10 @@ double squareOf(const Frame& frame, std::size_t i) {
 void addMasses(const Frame& frame, const LayerSpan& layer, FrameFigures& out, double& massless) {
   if (layer.pieces == nullptr || layer.pieces->pieces.empty()) return;
   const auto& pieces = layer.pieces->pieces;
-  for (std::size_t k = 0; k < layer.count && layer.first + k < frame.count; ++k) {
-    const std::size_t i = layer.first + k;
+  for (const std::size_t i : render::particlesOf(layer, frame)) {
     if (frame.alive[i] == 0) continue;
     ++out.massive;
-    out.energy_J += 0.5 * pieces[k % pieces.size()].mass.mass_kg * squareOf(frame, i);
+    out.energy_J += 0.5 * pieces[(i - layer.first) % pieces.size()].mass.mass_kg * squareOf(frame, i);
     massless -= squareOf(frame, i);
   }
 }
@@ -41,7 +42,7 @@ FrameFigures figuresOf(const Frame& frame, std::span<const LayerSpan> layers) {
     const double square = squareOf(frame, i);
     squares += square;
     fastest = std::max(fastest, square);
-    const Vec3 at{static_cast<double>(frame.x[i]), static_cast<double>(frame.y[i]), static_cast<double>(frame.z[i])};
+    const Vec3 at = render::placeOf(frame, i);
     Extent& extent = out.extent;
     extent.min = {std::min(extent.min.x, at.x), std::min(extent.min.y, at.y), std::min(extent.min.z, at.z)};
     extent.max = {std::max(extent.max.x, at.x), std::max(extent.max.y, at.y), std::max(extent.max.z, at.z)};
