@@ -151,6 +151,7 @@ Expected<std::vector<PicturePair>> picturePairs(const fs::path& before, const fs
   }
   if (pairs.empty()) return fail(ErrorKind::input, "neither " + before.string() + " nor " + after.string() + " holds a *.png or *.exr file.", "Name folders with pictures.");
   std::vector<PicturePair> out;
+  out.reserve(pairs.size());
   for (auto& [name, pair] : pairs) out.push_back(std::move(pair));
   return out;
 }

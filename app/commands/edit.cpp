@@ -29,7 +29,7 @@ fs::path shipped(const fs::path& name) {
   std::error_code error;
   const fs::path binary = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  const fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / name;
+  fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / name;
   if (fs::is_directory(installed, error)) return installed;
   fs::path folder = binary.parent_path();
   for (int up = 0; up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path())

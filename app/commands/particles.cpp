@@ -6,6 +6,8 @@
 
 #include "sim/core/files.h"
 
+#include <npsee/units.h>
+
 #include <CLI/CLI.hpp>
 
 #include <memory>

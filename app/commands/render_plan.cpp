@@ -305,8 +305,7 @@ Expected<int> templateLayer(const RenderPlan& plan, const Preset& preset) {
     return enabled != preset.layers.end() ? static_cast<int>(enabled - preset.layers.begin()) : 0;
   }
   if (const int index = findLayer(preset, plan.layer); index >= 0) return index;
-  std::vector<std::string_view> names;
-  for (const Layer& layer : preset.layers) names.push_back(layer.name);
+  const auto names = namesOf(preset.layers, &Layer::name);
   const auto near = nearest(plan.layer, names);
   return refused("--layer", plan.layer, "the preset has no such layer." + (near ? " Did you mean " + std::string(*near) + "?" : std::string()), "Its layers are " + listed(names) + ".");
 }

@@ -172,8 +172,7 @@ class Resolver {
       return;
     }
     if (number("--v0", o_.speed, f_.charge.speed_mps, Unit::metre_per_second) || failed_) return;
-    std::vector<std::string_view> names;
-    for (const Charge& charge : f_.projectile.charges) names.push_back(charge.name);
+    const auto names = namesOf(f_.projectile.charges, &Charge::name);
     refuse("no muzzle velocity is given.", names.empty() ? "Give it with --v0, e.g. --v0 300." : "Give --charge (" + listed(names) + ") or --v0.");
   }
 

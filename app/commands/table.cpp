@@ -39,6 +39,7 @@ std::string cellText(const ordered_json& cell, int decimals, const char* missing
 std::string asText(const std::vector<Column>& columns, const std::vector<Row>& rows) {
   std::vector<std::vector<std::string>> cells;
   std::vector<std::size_t> widths;
+  widths.reserve(columns.size());
   for (const Column& column : columns) widths.push_back(std::string_view(column.heading).size());
   for (const Row& row : rows) {
     cells.emplace_back();

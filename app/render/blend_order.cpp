@@ -59,7 +59,8 @@ void BlendOrder::sort(const Frame& frame, std::span<const LayerSpan> layers, con
     const bool soft = isSoft(layer.form);
     if (!soft && !isSolid(layer.form) && !layer.pieces) continue;
     if (wanted != Blended::all && soft != (wanted == Blended::soft)) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       const float a = frame.a[i];
       if (frame.size[i] <= 0.0f || a <= 0.0f || (!soft && a > kOpaque)) continue;
       const Vec3 at = placeOf(frame, i);

@@ -68,7 +68,7 @@ Expected<void> EffectPasses::drawOutlines(const Frame& frame, std::span<const La
 template <class Pass, class Draw>
 Expected<void> EffectPasses::drawLayers(std::optional<Pass>& pass, Form form, const Frame& frame, std::span<const LayerSpan> layers, Draw draw) {
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = particlesOf(layer, frame).size();
+    const std::size_t count = countOf(layer, frame);
     if (count == 0 || layer.form != form) continue;
     if (auto made = makeOnce(pass); !made) return made;
     draw(*pass, layer, count);
@@ -92,7 +92,7 @@ Expected<void> EffectPasses::drawShockShells(const Frame& frame, std::span<const
 Expected<void> EffectPasses::drawShadows(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   const double share = shadowShare(ground);
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = particlesOf(layer, frame).size();
+    const std::size_t count = countOf(layer, frame);
     const double strength = layer.pieces && hasOutlines(ground) ? 0.0 : share * shadowStrength(layer.form);
     if (count > 0 && strength > 0.0) shadow_.draw(view, frame_, layer.first, count, ground, strength);
   }
@@ -112,7 +112,7 @@ Expected<void> EffectPasses::drawGlow(const View& view, const GroundLevel& groun
 
 Expected<void> EffectPasses::drawOpaque(const Frame& frame, std::span<const LayerSpan> layers, const View& view, const GroundLevel& ground) {
   for (const LayerSpan& layer : layers) {
-    const std::size_t count = particlesOf(layer, frame).size();
+    const std::size_t count = countOf(layer, frame);
     if (count == 0) continue;
     if (isSolid(layer.form)) {
       solid_.drawOpaque(view, layer.form, frame_, layer.first, count, ground);
@@ -208,7 +208,7 @@ Expected<void> EffectPasses::drawSolidSurfaces(const Frame& frame, std::span<con
     pieces_surfaces_->drawSurfaces(view, frame, layer, ground, surface);
   }
   for (const LayerSpan& layer : layers)
-    if (const std::size_t count = particlesOf(layer, frame).size(); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
+    if (const std::size_t count = countOf(layer, frame); count > 0 && isSolid(layer.form)) solid_surfaces_->drawSurfaces(view, layer.form, frame_, layer.first, count, ground, surface);
   return {};
 }
 

@@ -99,7 +99,8 @@ void markBright(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
   for (const LayerSpan& layer : layers) {
     const bool hot_pieces = (isSolid(layer.form) || layer.form == Form::pieces) && layer.temperature_k > 0.0;
     if (!hot_pieces && (!isSoft(layer.form) || layer.form == Form::smoke)) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       if (!mayDazzle(frame, i, layer)) continue;
       if (!markRound(mask, view, placeOf(frame, i), reachOf(frame, i, layer.form, 0.0), false)) return mask.markAll();
     }
@@ -110,7 +111,8 @@ void findPieces(PieceSpread& out, const TileMask& mask, const Frame& frame, std:
   out.pieces.clear();
   for (const LayerSpan& layer : layers) {
     if (!isSolid(layer.form) && !layer.pieces) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       if (frame.size[i] <= 0.0f || frame.a[i] <= 0.0f) continue;
       const Vec3 at = placeOf(frame, i);
       const double reach = reachOf(frame, i, layer.form, at.y - ground.height_m), depth = view.depthOf(at.x, at.y, at.z);
@@ -137,7 +139,8 @@ void markEffect(TileMask& mask, const Frame& frame, std::span<const LayerSpan> l
     if (!bounded) return mask.markAll();
   }
   for (const LayerSpan& layer : layers) {
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       if (frame.size[i] <= 0.0f) continue;
       if (layer.form == Form::shock || layer.form == Form::scorch) {
         if (!markOnGround(mask, frame, i, layer.form, view, ground_m, shadows)) return mask.markAll();

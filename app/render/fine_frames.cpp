@@ -10,7 +10,10 @@ namespace npsee::render {
 
 double FineFrames::timeOf(int look) { return kShutter_s * (((7 * look + 3) % kLooks + 0.5) / kLooks - 0.5); }
 
-std::array<double, 2> FineFrames::asideOf(int look, int width, int height) { return {2.0 / width * ((look % 4 + 0.5) / 4.0 - 0.5), 2.0 / height * ((look / 4 + 0.5) / 4.0 - 0.5)}; }
+std::array<double, 2> FineFrames::asideOf(int look, int width, int height) {
+  const int column = look % 4, row = look / 4;
+  return {2.0 / width * ((column + 0.5) / 4.0 - 0.5), 2.0 / height * ((row + 0.5) / 4.0 - 0.5)};
+}
 
 View FineFrames::viewOf(const View& view, int look, int width, int height) {
   View out = view;
@@ -27,7 +30,8 @@ const Frame& FineFrames::frameOf(const Frame& frame, std::span<const LayerSpan> 
   const auto dt = static_cast<float>(timeOf(look));
   for (const LayerSpan& layer : layers) {
     if (!isSolid(layer.form) && layer.form != Form::pieces) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       moved_.x[i] = frame.x[i] + dt * frame.vx[i];
       moved_.y[i] = frame.y[i] + dt * frame.vy[i];
       moved_.z[i] = frame.z[i] + dt * frame.vz[i];

@@ -29,7 +29,8 @@ Glow glowOf(const Frame& frame, std::span<const LayerSpan> layers) {
   for (const LayerSpan& layer : layers) {
     const double bright = brightness(layer.form);
     if (bright <= 0.0) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) {
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) {
       const double radius = 0.5 * static_cast<double>(frame.size[i]);
       const double area = radius * radius * static_cast<double>(frame.a[i]);
       if (!(area > 0.0)) continue;

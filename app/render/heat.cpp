@@ -61,7 +61,8 @@ void temperaturesOf(const Frame& frame, std::span<const LayerSpan> layers, std::
   out.resize(frame.count, 0.0f);
   for (const LayerSpan& layer : layers) {
     if (layer.temperature_k <= 0.0) continue;
-    for (const std::size_t i : particlesOf(layer, frame)) out[i] = static_cast<float>(temperatureAt(layer, frame, i));
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i) out[i] = static_cast<float>(temperatureAt(layer, frame, i));
   }
 }
 

@@ -123,7 +123,8 @@ std::vector<ScreenStroke> reticleOf(const MissionEye& eye, double field_mil, boo
     tick(-mil, true);
     if (mil <= reach / 2 + step) tick(mil, false);
   }
-  const double far = pixelsOfMil(eye, reach), high = pixelsOfMil(eye, (reach / 2 / step + 1) * step);
+  const int highest = (reach / 2 / step + 1) * step;
+  const double far = pixelsOfMil(eye, reach), high = pixelsOfMil(eye, highest);
   out.push_back({{{cx - far, cy}, {cx - gap, cy}}, fine});
   out.push_back({{{cx + gap, cy}, {cx + far, cy}}, fine});
   out.push_back({{{cx, cy - high}, {cx, cy - gap}}, fine});

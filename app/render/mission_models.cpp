@@ -65,7 +65,7 @@ double azimuthOf(const ShellRecord& shell) {
 class Collector {
  public:
   Collector(const Recording& recording, double time_s, const MissionView& view, const MissionEye& eye, const ModelPass& models, std::span<const char> in_pieces)
-      : recording_(recording), time_s_(time_s), view_(view), eye_(eye), models_(models), in_pieces_(in_pieces), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px * view.scale) {
+      : recording_(recording), time_s_(time_s), eye_(eye), models_(models), in_pieces_(in_pieces), least_px_(eye.kind == MissionCamera::Kind::observer ? 0.0 : view.least_px * view.scale) {
     block_ = models.find("block", {});
     for (const ShellRecord& shell : recording.shells) {
       if (shell.fired_s > time_s) break;
@@ -171,7 +171,6 @@ class Collector {
 
   const Recording& recording_;
   double time_s_;
-  const MissionView& view_;
   const MissionEye& eye_;
   const ModelPass& models_;
   std::span<const char> in_pieces_;

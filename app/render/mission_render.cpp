@@ -32,13 +32,6 @@ constexpr OverlayName kOverlays[] = {{"trails", &MissionOverlays::trails}, {"dro
                                      {"rings", &MissionOverlays::range_rings}, {"sight", &MissionOverlays::sight_fan}, {"beliefs", &MissionOverlays::beliefs}, {"icons", &MissionOverlays::icons},
                                      {"scorch", &MissionOverlays::scorch}, {"contours", &MissionOverlays::contours}};
 
-template <class Table>
-std::vector<std::string_view> namesOf(const Table& table) {
-  std::vector<std::string_view> out;
-  for (const auto& row : table) out.push_back(row.name);
-  return out;
-}
-
 /// What is wrong with a part's value; empty = nothing.
 using Fault = std::string;
 
@@ -83,7 +76,7 @@ Fault readCamera(std::string_view text, MissionRender& out) {
   const std::string_view name = text.substr(0, colon);
   const auto* found = std::ranges::find(kCameras, name, &CameraName::name);
   if (found == std::end(kCameras)) {
-    const auto names = namesOf(kCameras);
+    const auto names = namesOf(kCameras, &CameraName::name);
     const auto meant = nearest(name, names);
     return "there is no camera \"" + std::string(name) + "\"; cameras are " + listed(names) + "." + (meant ? " Did you mean " + std::string(*meant) + "?" : "");
   }
@@ -102,7 +95,7 @@ Fault readOverlays(std::string_view text, bool shown, MissionOverlays& out) {
       continue;
     }
     const auto* found = std::ranges::find(kOverlays, name, &OverlayName::name);
-    if (found == std::end(kOverlays)) return "there is nothing called \"" + std::string(name) + "\" to show; there are " + listed(namesOf(kOverlays)) + ", and all.";
+    if (found == std::end(kOverlays)) return "there is nothing called \"" + std::string(name) + "\" to show; there are " + listed(namesOf(kOverlays, &OverlayName::name)) + ", and all.";
     out.*found->member = shown;
   }
   return {};
@@ -182,7 +175,7 @@ Expected<MissionRender> parseMissionRender(std::string_view text) {
     const std::string_view name = trimmed(part.substr(0, equals));
     const auto found = std::ranges::find(keys(), name, &Key::name);
     if (found == keys().end()) {
-      const auto names = namesOf(keys());
+      const auto names = namesOf(keys(), &Key::name);
       const auto meant = nearest(name, names);
       return refused(text, "there is no key \"" + std::string(name) + "\"." + (meant ? " Did you mean " + std::string(*meant) + "?" : ""), exampleText());
     }
@@ -199,10 +192,9 @@ namespace {
 /// Index by id; usage error naming the nearest.
 template <class Records>
 Expected<int> findById(const MissionRender& render, const Records& records, const std::string& id, const char* what) {
-  std::vector<std::string_view> names;
-  for (const auto& record : records) names.push_back(record.id);
   for (std::size_t i = 0; i < records.size(); ++i)
     if (records[i].id == id) return static_cast<int>(i);
+  auto names = namesOf(records, &Records::value_type::id);
   const auto meant = nearest(id, names);
   if (names.size() > 12) names.resize(12);
   return refused(render.text, std::string("there is no ") + what + " \"" + id + "\"." + (meant ? " Did you mean " + std::string(*meant) + "?" : ""),

@@ -145,10 +145,9 @@ void PiecesPass::prepare(const gl::Program& program, const View& view, const Gro
 
 void PiecesPass::drawModels(const gl::Program& program, const Frame& frame, const LayerSpan& layer, const GroundLevel& ground) {
   const Loaded& model = loaded(layer.pieces);
-  const auto all = particlesOf(layer, frame);
-  const std::size_t each = layer.pieces->pieces.size();
-  for (std::size_t done = 0; done < all.size(); done += each) {
-    const std::size_t first = layer.first + done, count = std::min(each, all.size() - done);
+  const std::size_t each = layer.pieces->pieces.size(), end = endOf(layer, frame);
+  for (std::size_t first = layer.first; first < end; first += each) {
+    const std::size_t count = std::min(each, end - first);
     fill(frame, first, count, layer, ground);
     upload();
     program.use();

@@ -27,8 +27,7 @@ Expected<std::shared_ptr<const Preset>> PresetShelf::lookUp(const std::string& n
     if (!preset) return tl::unexpected<Error>(preset.error());
     return std::make_shared<const Preset>(std::move(*preset));
   }
-  std::vector<std::string_view> names;
-  for (const ShippedAsset& asset : shippedPresets()) names.push_back(asset.name);
+  const auto names = namesOf(shippedPresets(), &ShippedAsset::name);
   const auto meant = nearest(name, names);
   return fail(ErrorKind::usage, "there is no explosion preset \"" + name + "\"." + (meant ? " Did you mean " + std::string(*meant) + "?" : ""),
               "Shipped ones go by their file's name without .npsee.json, others by the path of their file.");

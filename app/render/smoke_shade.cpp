@@ -21,7 +21,8 @@ void forPuffs(const Frame& frame, std::span<const LayerSpan> layers, const Take&
   for (const LayerSpan& layer : layers) {
     const double share = absorbs(layer.form);
     if (share <= 0.0) continue;
-    for (const std::size_t i : particlesOf(layer, frame))
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i)
       if (frame.size[i] > 0.0f && frame.a[i] > 0.004f)
         take(placeOf(frame, i), 0.5 * static_cast<double>(frame.size[i]), share * opticalDepthOf(std::min(static_cast<double>(frame.a[i]), 1.0)));
   }

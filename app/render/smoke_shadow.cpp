@@ -54,7 +54,8 @@ void forShades(const Frame& frame, std::span<const LayerSpan> layers, const Shad
   Shade shade;
   for (const LayerSpan& layer : layers) {
     if (layer.form != Form::smoke) continue;
-    for (const std::size_t i : particlesOf(layer, frame))
+    const std::size_t end = endOf(layer, frame);
+    for (std::size_t i = layer.first; i < end; ++i)
       if (shadeOf(frame, i, ground, sun, shade)) take(shade);
   }
 }

@@ -1,6 +1,7 @@
 #include "app/render/soft_pass.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +37,7 @@ gl::Texture makeNoise() {
   for (int y = 0; y < kNoiseSize; ++y)
     for (int x = 0; x < kNoiseSize; ++x) {
       const double v = 0.55 * valueNoise(x, y, 8, 0) + 0.30 * valueNoise(x, y, 16, 1) + 0.15 * valueNoise(x, y, 32, 2);
-      pixels.push_back(static_cast<std::uint8_t>(255.0 * v + 0.5));
+      pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * v)));
     }
   gl::Texture texture = gl::Texture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());

@@ -14,7 +14,7 @@ constexpr double kPlants_m = 40.0;
 /// Side of the coarse grid that says what is valley and what is crest.
 constexpr int kCoarse = 192;
 
-std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255.0 + 0.5); }
+std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0)); }
 
 int sideOf(int samples, double size_m) {
   const int plants = std::clamp(static_cast<int>(std::min(size_m / kPlants_m, 1e6)), kLeastSide, kCoarseSide);

@@ -21,7 +21,7 @@ double squareOf(const Frame& frame, std::size_t i) {
 void addMasses(const Frame& frame, const LayerSpan& layer, FrameFigures& out, double& massless) {
   if (layer.pieces == nullptr || layer.pieces->pieces.empty()) return;
   const auto& pieces = layer.pieces->pieces;
-  for (const std::size_t i : render::particlesOf(layer, frame)) {
+  for (std::size_t i = layer.first; i < render::endOf(layer, frame); ++i) {
     if (frame.alive[i] == 0) continue;
     ++out.massive;
     out.energy_J += 0.5 * pieces[(i - layer.first) % pieces.size()].mass.mass_kg * squareOf(frame, i);

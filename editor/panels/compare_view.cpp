@@ -179,8 +179,8 @@ void drawVariations(const PanelContext& ui) {
   ui.session.setAspect(static_cast<double>(width / height));
   std::optional<std::size_t> adopted;
   for (std::size_t i = 0; i < Variations::kCount; ++i) {
-    const auto column = static_cast<float>(i % kColumns), row = static_cast<float>(i / kColumns);
-    if (drawCell(ui, i, {{all.at.x + column * (width + gap), all.at.y + head + row * (height + gap)}, width, height})) adopted = i;
+    const std::size_t column = i % kColumns, row = i / kColumns;
+    if (drawCell(ui, i, {{all.at.x + static_cast<float>(column) * (width + gap), all.at.y + head + static_cast<float>(row) * (height + gap)}, width, height})) adopted = i;
   }
   if (adopted) ui.session.adoptVariation(*adopted);
   if (!ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) ui.session.variations.open = false;

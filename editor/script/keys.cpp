@@ -53,8 +53,7 @@ Expected<KeyStroke> parseKeyStroke(std::string_view text) {
     else if (word == "alt") out.alt = true;
     else if (out.code == 0 && keyCode(word) != 0) out.code = keyCode(word);
     else {
-      std::vector<std::string_view> names;
-      for (const NamedKey& key : kKeys) names.push_back(key.name);
+      const auto names = namesOf(kKeys, &NamedKey::name);
       const auto near = nearest(part, names);
       return fail(ErrorKind::input, "there is no key \"" + printable(part) + "\".", near ? "Did you mean " + std::string(*near) + "?" : "Letters, digits, " + listed(names) + ", with ctrl, shift and alt.");
     }

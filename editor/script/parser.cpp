@@ -91,8 +91,7 @@ Expected<std::vector<ScriptCommand>> parseScript(std::string_view text, std::str
     takeWord(rest, command.name);
     const ScriptCommandInfo* info = findCommand(command.name);
     if (info == nullptr) {
-      std::vector<std::string_view> names;
-      for (const ScriptCommandInfo& known : kCommands) names.push_back(known.name);
+      const auto names = namesOf(kCommands, &ScriptCommandInfo::name);
       const auto near = nearest(command.name, names);
       faults.push_back(faultAt(file, line_number, "there is no command \"" + printable(command.name) + "\".", near ? "Did you mean " + std::string(*near) + "?" : "The commands are " + listed(names) + "."));
       continue;

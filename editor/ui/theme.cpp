@@ -1,5 +1,7 @@
 #include "editor/ui/theme.h"
 
+#include <cmath>
+
 namespace npsee::editor {
 namespace {
 
@@ -39,7 +41,7 @@ Theme lightTheme() {
 }
 
 ImU32 faded(ImU32 colour, float opacity) {
-  const auto alpha = static_cast<ImU32>(opacity * 255.0f + 0.5f);
+  const auto alpha = static_cast<ImU32>(std::lround(opacity * 255.0f));
   return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }
 

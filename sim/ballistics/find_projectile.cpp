@@ -8,9 +8,7 @@ namespace npsee {
 using namespace ballistics;
 
 std::vector<std::string_view> shippedProjectiles() {
-  std::vector<std::string_view> names;
-  for (const ShippedFile& file : shippedProjectileFiles()) names.push_back(file.name);
-  return names;
+  return namesOf(shippedProjectileFiles(), &ShippedFile::name);
 }
 
 Expected<Projectile> findProjectile(std::string_view choice) {

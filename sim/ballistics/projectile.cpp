@@ -66,8 +66,7 @@ std::optional<double> unitFactor(const ConstantRow& row, std::string_view unit) 
 }
 
 std::string unknownUnit(const ConstantRow& row, std::string_view unit) {
-  std::vector<std::string_view> names;
-  for (const UnitName& known : row.units) names.push_back(known.name);
+  const auto names = namesOf(row.units, &UnitName::name);
   return '"' + std::string(unit) + "\" is not a unit of " + std::string(row.key) + "; units are " + listed(names) + '.';
 }
 
@@ -185,11 +184,9 @@ std::vector<Fault> validate(const Projectile& projectile) {
 }
 
 Expected<Charge> findCharge(const Projectile& projectile, std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Charge& charge : projectile.charges) {
+  for (const Charge& charge : projectile.charges)
     if (charge.name == name) return charge;
-    names.push_back(charge.name);
-  }
+  const auto names = namesOf(projectile.charges, &Charge::name);
   const std::string what = "the projectile " + projectile.name + " has no charge \"" + std::string(name) + "\".";
   if (names.empty()) return fail(ErrorKind::usage, what, "It has none at all; give the muzzle velocity with --v0.");
   return fail(ErrorKind::usage, what, "It has " + listed(names) + "; --v0 gives any other muzzle velocity.");

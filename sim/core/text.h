@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,15 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
 
 /// "a, b and c".
 std::string listed(const std::vector<std::string_view>& words);
+
+/// The names of a table's rows: views into them.
+template <class Table, class Row, class Name>
+std::vector<std::string_view> namesOf(const Table& table, Name Row::*name) {
+  std::vector<std::string_view> names;
+  names.reserve(std::size(table));
+  for (const Row& row : table) names.push_back(row.*name);
+  return names;
+}
 
 /// Whether `text` is well-formed UTF-8 (no overlong forms, no surrogates).
 bool validUtf8(std::string_view text);

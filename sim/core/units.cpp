@@ -96,11 +96,9 @@ Expected<double> parseQuantity(std::string_view text, Unit unit) {
   if (suffix.empty()) return toSi(unit, number);
 
   const UnitRow unit_row = row(unit);
-  std::vector<std::string_view> names;
-  for (const Spelling& spelling : unit_row.spellings) {
+  for (const Spelling& spelling : unit_row.spellings)
     if (suffix == spelling.name) return number * spelling.to_si;
-    names.push_back(spelling.name);
-  }
+  const auto names = namesOf(unit_row.spellings, &Spelling::name);
   if (names.empty()) return fail(ErrorKind::usage, "\"" + std::string(whole) + "\" carries a unit, but this is a plain number.");
   return fail(ErrorKind::usage, "\"" + std::string(suffix) + "\" is not a unit for this value; units are " + listed(names) + ".");
 }

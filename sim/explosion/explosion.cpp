@@ -14,7 +14,6 @@ namespace npsee {
 
 using explosion::Chunk;
 using explosion::CompiledLayer;
-using explosion::CompileJob;
 using explosion::FrameView;
 using explosion::Kernels;
 

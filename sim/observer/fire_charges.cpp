@@ -40,7 +40,7 @@ Expected<Projectile> shellFor(const Weapon& weapon, bool& fits) {
   fits = false;
   const auto calibre = calibreOf(weapon.name);
   if (calibre) {
-    const auto usual = findProjectile(kUsualShell);
+    auto usual = findProjectile(kUsualShell);
     if (!usual) return usual;
     if (std::fabs(usual->diameter_m - *calibre) <= kSameCalibre * *calibre) {
       fits = true;

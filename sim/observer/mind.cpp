@@ -5,6 +5,7 @@
 #include "sim/observer/mind_data.h"
 #include "sim/observer/shipped_rules.h"
 
+#include <charconv>
 
 namespace npsee::observer {
 namespace {
@@ -22,7 +23,10 @@ std::vector<Fault> faultsOf(std::string_view text) {
   std::vector<Fault> out;
   for (const std::string_view line : splitAt(text, kFault)) {
     const auto fields = splitAt(line, kField);
-    if (fields.size() == 4) out.push_back({std::string(fields[0]), std::string(fields[1]), std::string(fields[2]), std::atoi(std::string(fields[3]).c_str()), {}});
+    if (fields.size() != 4) continue;
+    int number = 0;
+    std::from_chars(fields[3].data(), fields[3].data() + fields[3].size(), number);
+    out.push_back({std::string(fields[0]), std::string(fields[1]), std::string(fields[2]), number, {}});
   }
   return out;
 }

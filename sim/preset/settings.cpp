@@ -23,8 +23,7 @@ tl::unexpected<Error> noSuchParameter(const Preset& preset, std::string_view exp
   const std::vector<std::string_view> views(keys.begin(), keys.end());
   std::string what = "no such parameter.";
   if (const auto near = nearest(key, views)) what += " Did you mean " + std::string(*near) + "?";
-  std::vector<std::string_view> names;
-  for (const Layer& layer : preset.layers) names.push_back(layer.name);
+  const auto names = namesOf(preset.layers, &Layer::name);
   return refuse(expression, std::move(what), "Layers are " + listed(names) + "; `npsee params` lists all parameters.");
 }
 

@@ -55,8 +55,7 @@ bool inCycle(const Preset& preset, std::size_t start) {
 }
 
 void checkParents(const Preset& preset, std::vector<PresetFault>& faults) {
-  std::vector<std::string_view> names;
-  for (const Layer& layer : preset.layers) names.push_back(layer.name);
+  const auto names = namesOf(preset.layers, &Layer::name);
   for (std::size_t i = 0; i < preset.layers.size(); ++i) {
     const Layer& layer = preset.layers[i];
     if (layer.parent.empty()) {

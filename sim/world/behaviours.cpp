@@ -43,7 +43,8 @@ void Vehicles::State::head(std::size_t v, std::int64_t tick, const Wish& wish, d
   double widest = -1.0;
   bool crowded = false;
   for (int i = 0; i <= 18; ++i) {
-    const double offset = 20.0 * kDegree * ((i + 1) / 2) * ((i % 2 == 0) == left_first ? -1.0 : 1.0);
+    const int step = (i + 1) / 2;
+    const double offset = 20.0 * kDegree * step * ((i % 2 == 0) == left_first ? -1.0 : 1.0);
     Wish tried = wish;
     tried.heading_rad = wrapped(wish.heading_rad + offset);
     Manoeuvre moves(pose);

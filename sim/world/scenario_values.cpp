@@ -363,7 +363,7 @@ std::string allowed(const Field& field) {
 
 std::optional<FieldValue> fieldFromJson(const Field& field, const JsonText& json, const ordered_json& value, const std::string& pointer, std::vector<Fault>& faults) {
   if (value.is_null()) return std::nullopt;
-  const auto read = convert(field, value);
+  auto read = convert(field, value);
   if (!read) {
     faults.push_back(json.fault(pointer, std::string(field.key) + " is " + shownJson(value) + ", but must be " + std::string(wanted(field.type)) + ".", fieldRemedy(field)));
     return std::nullopt;

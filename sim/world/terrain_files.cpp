@@ -80,7 +80,8 @@ float valueAt(const Tile& tile, double gx, double gz) {
 Expected<Tile> readHgt(const TerrainSource& source) {
   const auto text = readTextFile(source.file, Terrain::kMaxSamples * 2);
   if (!text) return tl::unexpected<Error>(text.error());
-  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(text->size() / 2)) + 0.5);
+  const std::size_t heights = text->size() / 2;
+  const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(heights))));
   if (side < 2 || side * side * 2 != text->size())
     return faulty(source, "is no .hgt terrain: " + std::to_string(text->size()) + " bytes are not n x n 16-bit heights.",
                   "An SRTM tile has 1201 x 1201 (2884802 bytes) or 3601 x 3601 heights (25934402 bytes); fetch or unpack it again.");

@@ -209,8 +209,8 @@ void drawLibraryList(const PanelContext& ui) {
       line(ui, entries[i], open);
       continue;
     }
-    const auto column = static_cast<float>(i % static_cast<std::size_t>(columns)), row = static_cast<float>(i / static_cast<std::size_t>(columns));
-    card(ui, entries[i], {at.x + column * (wide + gap), at.y + row * (high + ui.px(4))}, {wide, high}, open);
+    const std::size_t each = static_cast<std::size_t>(columns), column = i % each, row = i / each;
+    card(ui, entries[i], {at.x + static_cast<float>(column) * (wide + gap), at.y + static_cast<float>(row) * (high + ui.px(4))}, {wide, high}, open);
   }
   if (entries.empty()) {
     ImGui::PushTextWrapPos(0);

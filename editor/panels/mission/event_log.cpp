@@ -4,8 +4,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace npsee::editor {
 namespace {
@@ -141,7 +141,9 @@ void drawEventLog(const PanelContext& ui) {
     const auto last = mission.lastEvent();
     // A script that asks for an event by name finds it although it is not drawn yet.
     if (const std::string& wanted = ui.items.wanted(); wanted.starts_with("event:")) {
-      const auto line = std::ranges::find(shown, std::atoi(wanted.c_str() + 6) - 1);
+      int number = 0;
+      std::from_chars(wanted.data() + 6, wanted.data() + wanted.size(), number);
+      const auto line = std::ranges::find(shown, number - 1);
       if (line != shown.end()) ImGui::SetScrollY(std::max(0.0f, static_cast<float>(line - shown.begin()) * row - 0.4f * ImGui::GetWindowHeight()));
     }
     ImGuiListClipper clipper;

@@ -8,7 +8,6 @@ namespace {
 
 using Kind = ObjectRef::Kind;
 using world::Field;
-using world::Struct;
 
 bool contains(std::string_view text, const std::string& word) { return word.empty() || capitals(text).find(capitals(word)) != std::string::npos; }
 

@@ -222,7 +222,7 @@ void drawRuler(const PanelContext& ui, const Box& box) {
 
 std::string hint(const PanelContext& ui) {
   const MissionSession& mission = ui.session.mission();
-  if (const std::string click = groundClickHint(ui); !click.empty()) return click;
+  if (std::string click = groundClickHint(ui); !click.empty()) return click;
   const Recording& recording = *mission.recording();
   const CameraKind camera = mission.view.camera.kind;
   if (camera == CameraKind::observer && recording.observers.empty()) return "There is no observer to look through. The plus above the list of objects adds one.";
