@@ -119,6 +119,11 @@ bool Editor::draw() {
 
 const KeptWindow& Editor::window() const { return impl_->window; }
 
+void Editor::drawAnew() {
+  impl_->pictures.forget();
+  impl_->window.forget();
+}
+
 std::optional<Error> Editor::takeGraphicsFault() { return std::exchange(impl_->pictures.failed, {}); }
 
 Session& Editor::session() { return impl_->session; }

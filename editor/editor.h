@@ -35,6 +35,8 @@ class Editor {
   /// Brings the window's picture up to date; false if it is as it was.
   bool draw();
   const KeptWindow& window() const;
+  /// Nothing of what was drawn is kept: the next frame draws everything.
+  void drawAnew();
   /// Why the driver could not draw what the last frame with pictures should show, once. The message is on the screen from the next frame on.
   std::optional<Error> takeGraphicsFault();
 

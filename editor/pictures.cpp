@@ -20,6 +20,12 @@ std::vector<ImTextureID> RendererPictures::takeRedrawn() {
   return std::exchange(redrawn_, {});
 }
 
+void RendererPictures::forget() {
+  explosions_.clear();
+  template_ = {};
+  mission_ = {};
+}
+
 template <class Key, class Draw>
 ImTextureID RendererPictures::kept(Kept<Key>& kept, Key key, double PictureTimes::* cost, bool opaque, const Draw& draw) {
   if (kept.key == key) return kept.texture;

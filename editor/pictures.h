@@ -47,6 +47,9 @@ class RendererPictures final : public Pictures {
   std::optional<Error> failed;  ///< what the driver could not draw
   PictureTimes* times = nullptr;  ///< where somebody measures
 
+  /// All pictures are drawn anew when they are next asked for.
+  void forget();
+
   /// Textures with another content than when this was asked last.
   std::vector<ImTextureID> takeRedrawn();
   /// Textures that hide all behind them.

@@ -29,12 +29,13 @@ std::optional<float> drawFrame(Editor& editor, WindowInput& input, GLFWwindow* w
   return ms;
 }
 
-/// What the driver says of the frame. A window whose context is lost can only be opened anew; all else is told, and work goes on.
+/// What the driver says of the frame. A window whose context is lost can only be opened anew; all else is told, drawn again, and work goes on.
 Expected<void> checkDriver(Editor& editor) {
   const char* error = gl::pendingError();
   if (error == nullptr) return {};
   if (gl::isLoss(error)) return fail(ErrorKind::graphics, "the graphics driver has lost the window's pictures.", "Start npsee again: what was not saved is offered then.");
   editor.session().notices.error = std::string("The driver failed while drawing: ") + error + ". LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
+  editor.drawAnew();
   return {};
 }
 
@@ -62,9 +63,11 @@ Expected<void> runLoop(Editor& editor, WindowInput& input, GLFWwindow* window) {
     const auto measured = drawFrame(editor, input, window, ms);
     if (auto fine = checkDriver(editor); !fine) return fine;
     if (measured) {
-      // To a tenth of a millisecond twice a second: figures that tremble cannot be read, and make every frame another one.
-      smooth = smooth > 0.0f ? smooth + 0.1f * (*measured - smooth) : *measured;
-      if (const double now = glfwGetTime(); !ms || (now - told > 0.5 && editor.session().moving())) ms = smooth, told = now;
+      // Twice a second while something moves: figures that tremble cannot be read, and make every frame another one. What a still picture
+      // took, the first one with the shaders that were compiled for it, tells nothing of how it will move.
+      const bool moving = editor.session().moving();
+      smooth = moving && smooth > 0.0f ? smooth + 0.1f * (*measured - smooth) : *measured;
+      if (const double now = glfwGetTime(); moving && now - told > 0.5) ms = smooth, told = now;
     }
     if (const std::string now = editor.session().title() + " - npsee"; now != title) glfwSetWindowTitle(window, (title = now).c_str());
   }

@@ -15,6 +15,8 @@ class KeptWindow {
   /// Brings the picture up to date. `redrawn`: textures with another content than the last time; `opaque`: those that hide what is behind
   /// them. False if nothing had to be drawn.
   bool update(const ImDrawData& data, std::span<const ImTextureID> redrawn, std::span<const ImTextureID> opaque);
+  /// All of it is drawn at the next update: the driver may have left anything in it.
+  void forget() { damage_ = {}; }
   /// Copies it to another framebuffer of the same size.
   void copyTo(GLuint framebuffer) const;
   /// Binds it for reading.

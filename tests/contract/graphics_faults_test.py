@@ -1,10 +1,13 @@
 """A driver that fails in every way and at every moment: a message, exit code 4, no picture that shows something else, and no work lost."""
 
 import os
+import shutil
+import struct
 import subprocess
+import time
 import unittest
 
-from command_line import SANITIZED, SOURCE, CommandLine
+from command_line import NPSEE, SANITIZED, SOURCE, CommandLine
 
 FAULTY = os.environ["FAULTY_OSMESA"]
 MISSION = SOURCE / "tests/data/v1/thesis_default.rec"
@@ -73,7 +76,7 @@ class GraphicsFaults(CommandLine):
         self.assertEqual(self.files(), good)
 
     def test_the_editor_keeps_what_was_unsaved(self):
-        places = {f"XDG_{kind}_HOME": str(self.folder / kind) for kind in ("CONFIG", "STATE", "CACHE")}
+        places = self.places("kept")
         saved = (self.folder / "small.npsee.json").read_bytes()
         self.write("script.txt", "set a.speed_mean 61\nwait 40\nsave one.png\nsave two.png\n")
         done = self.run_npsee("edit", "small.npsee.json", "--headless", "--remember", "--script", "script.txt", NPSEE_OSMESA=FAULTY, FAULTY_GL="lost", FAULTY_GL_AFTER="30", **places)
@@ -82,20 +85,70 @@ class GraphicsFaults(CommandLine):
         self.write("script.txt", 'expect unsaved = 1\nclick "button:bring back"\nexpect a.speed_mean = 61\n')
         self.expect(0, self.run_npsee("edit", "--headless", "--remember", "--script", "script.txt", **places))
 
+    def window(self):
+        """A display whose pixels are a file; what a window of the editor needs to be told."""
+        ours, its = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-fbdir", str(self.folder), "-screen", "0", "1024x700x24", "-nolisten", "tcp", "-noreset"], pass_fds=[its], stderr=subprocess.DEVNULL)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        os.close(its)
+        with os.fdopen(ours) as number:
+            display = ":" + number.readline().strip()
+        return {"DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}
+
+    def places(self, run):
+        """Folders of its own for what an editor remembers."""
+        return {f"XDG_{kind}_HOME": str(self.folder / run / kind) for kind in ("CONFIG", "STATE", "CACHE")}
+
     @unittest.skipIf(SANITIZED, "sanitizers want to be the first library that is loaded")
     def test_a_window_whose_context_is_lost_ends_with_a_message(self):
-        ours, its = os.pipe()
-        display = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-screen", "0", "1024x700x24", "-nolisten", "tcp"], pass_fds=[its], stderr=subprocess.DEVNULL)
-        os.close(its)
-        try:
-            with os.fdopen(ours) as number:
-                name = ":" + number.readline().strip()
-            places = {f"XDG_{kind}_HOME": str(self.folder / kind) for kind in ("CONFIG", "STATE", "CACHE")}
-            done = self.run_npsee("edit", "small.npsee.json", "--size", "900x600", DISPLAY=name, LIBGL_ALWAYS_SOFTWARE="1", LD_PRELOAD=FAULTY, FAULTY_GL="lost", FAULTY_GL_AFTER="200", **places)
-            self.expect(4, done, "the graphics driver has lost the window's pictures", "what was not saved is offered")
-        finally:
-            display.kill()
-            display.wait()
+        done = self.run_npsee("edit", "small.npsee.json", "--size", "900x600", LD_PRELOAD=FAULTY, FAULTY_GL="lost", FAULTY_GL_AFTER="200", **self.window(), **self.places("lost"))
+        self.expect(4, done, "the graphics driver has lost the window's pictures", "what was not saved is offered")
+
+    def settled(self):
+        """The window's pixels, once nothing has moved in it for a second."""
+        pixels, since = b"", time.monotonic()
+        while time.monotonic() - since < 1.0 or len(set(pixels[::61])) < 8:
+            self.assertLess(time.monotonic() - since, 90, "the window shows nothing")
+            dump = (self.folder / "Xvfb_screen0").read_bytes()
+            # X's own format of dumps: a header with its size, the bytes of a row and the number of colours; colours of 12 bytes; rows.
+            header, row, colours = (struct.unpack_from(">I", dump, 4 * field)[0] for field in (0, 12, 19))
+            first = header + 12 * colours
+            now = b"".join(dump[first + row * y:first + row * y + 4 * 900] for y in range(600))
+            if now != pixels:
+                pixels, since = now, time.monotonic()
+            time.sleep(0.1)
+        return pixels
+
+    def act(self, variables, *words):
+        subprocess.run(["xdotool", *words], env={**os.environ, **variables}, check=True, capture_output=True, timeout=60)
+
+    @unittest.skipIf(SANITIZED, "sanitizers want to be the first library that is loaded")
+    @unittest.skipIf(shutil.which("xdotool") is None, "xdotool drives the window")
+    def test_a_window_that_could_not_be_drawn_says_so_and_is_drawn_whole_again(self):
+        call = ("edit", "small.npsee.json", "--size", "900x600", "--time", "0.5")
+        self.write("nothing.txt", "no preset")
+        self.write("script.txt", f"drop {self.folder}/nothing.txt\nwait 3\nprint items\n")
+        items = self.expect(0, self.run_npsee(*call, "--headless", "--script", "script.txt")).stdout
+        (place,) = [line.split()[1] for line in items.splitlines() if line.endswith(" button:dismiss")]
+        variables = self.window()
+        seen = []
+        for fault in ({}, {"LD_PRELOAD": FAULTY, "FAULTY_GL": "memory", "FAULTY_GL_AFTER": "20", "FAULTY_GL_CALLS": "9"}):
+            editor = subprocess.Popen([NPSEE, *call, "--print-state"], cwd=self.folder, env={**os.environ, **variables, **fault, **self.places("faulty" if fault else "good")}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(editor.kill)
+            self.act(variables, "mousemove", "1020", "690")
+            seen.append(self.settled())
+            if fault:
+                self.act(variables, "search", "--sync", "--name", "npsee", "mousemove", "--window", "%1", *place.split(","), "mousedown", "1")
+                self.act(variables, "mouseup", "1")
+                self.act(variables, "mousemove", "1020", "690")
+                seen.append(self.settled())
+            self.act(variables, "search", "--sync", "--name", "npsee", "windowfocus", "--sync", "%1", "key", "ctrl+q")
+            out, err = editor.communicate(timeout=60)
+            self.assertEqual(editor.returncode, 0, err)
+        undisturbed, told, dismissed = seen
+        self.assertNotEqual(told, undisturbed, "the driver's fault is told")
+        self.assertEqual(dismissed, undisturbed, "what could not be drawn is missing")
 
 
 if __name__ == "__main__":

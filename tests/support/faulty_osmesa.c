@@ -1,4 +1,5 @@
-/* An OSMesa that fails: NPSEE_OSMESA names this library, FAULTY_GL says how, FAULTY_GL_AFTER after how many calls of that kind that went well.
+/* An OSMesa that fails: NPSEE_OSMESA names this library, FAULTY_GL says how, FAULTY_GL_AFTER after how many calls of that kind that went well,
+ * FAULTY_GL_CALLS how many then fail (else all).
  *
  *   context       no context is made
  *   current       it cannot be made current
@@ -54,8 +55,9 @@ static int fault(const char* kind) {
 /* One more call of the chosen kind: whether its time has come. */
 static int due(void) {
   static int calls = 0;
-  const char* after = getenv("FAULTY_GL_AFTER");
-  return calls++ >= (after != NULL ? atoi(after) : 0);
+  const char *after = getenv("FAULTY_GL_AFTER"), *count = getenv("FAULTY_GL_CALLS");
+  const int past = calls++ - (after != NULL ? atoi(after) : 0);
+  return past >= 0 && (count == NULL || past < atoi(count));
 }
 
 static unsigned pending = 0;
@@ -109,6 +111,9 @@ static void draw_arrays(unsigned mode, int first, int count) {
 static void draw_elements(unsigned mode, int count, unsigned type, const void* indices) {
   if (goes_well()) ((void (*)(unsigned, int, unsigned, const void*))real_gl("glDrawElements"))(mode, count, type, indices);
 }
+static void draw_elements_base_vertex(unsigned mode, int count, unsigned type, const void* indices, int base) {
+  if (goes_well()) ((void (*)(unsigned, int, unsigned, const void*, int))real_gl("glDrawElementsBaseVertex"))(mode, count, type, indices, base);
+}
 static void draw_arrays_instanced(unsigned mode, int first, int count, int instances) {
   if (goes_well()) ((void (*)(unsigned, int, int, int))real_gl("glDrawArraysInstanced"))(mode, first, count, instances);
 }
@@ -137,6 +142,7 @@ __attribute__((visibility("default"))) function OSMesaGetProcAddress(const char*
   if (strcmp(name, "glGetIntegerv") == 0) return or_real(name, fault("version"), (function)get_integer);
   if (strcmp(name, "glDrawArrays") == 0) return or_real(name, draws, (function)draw_arrays);
   if (strcmp(name, "glDrawElements") == 0) return or_real(name, draws, (function)draw_elements);
+  if (strcmp(name, "glDrawElementsBaseVertex") == 0) return or_real(name, draws, (function)draw_elements_base_vertex);
   if (strcmp(name, "glDrawArraysInstanced") == 0) return or_real(name, draws, (function)draw_arrays_instanced);
   if (strcmp(name, "glDrawElementsInstanced") == 0) return or_real(name, draws, (function)draw_elements_instanced);
   if (strcmp(name, "glReadPixels") == 0) return or_real(name, draws, (function)read_pixels);
