@@ -28,11 +28,13 @@ void steer(const PanelContext& ui, const Box& box) {
   camera = dollied(camera, std::pow(0.88, static_cast<double>(io.MouseWheel)), x, y);
 }
 
-/// The world's axes as seen from here, in the lower left corner.
+/// The world's axes as seen from here, in the lower left corner; above the view tools where a narrow viewport has no room beside them.
 void drawCompass(const PanelContext& ui, const Box& box) {
   // The picture's own axes, which have a way of looking straight down too.
   const render::View view = render::makeView(ui.session.camera, std::max(1, static_cast<int>(box.width)), std::max(1, static_cast<int>(box.height)));
-  const ImVec2 centre{box.at.x + ui.px(40), box.end().y - ui.px(40)};
+  const Box tools = viewToolsBox(ui, box);
+  const float below = tools.at.x < box.at.x + ui.px(80) ? tools.at.y : box.end().y;
+  const ImVec2 centre{box.at.x + ui.px(40), below - ui.px(40)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const struct { Vec3 axis; const char* name; ImU32 colour; } axes[] = {{{1, 0, 0}, "x", ui.theme.error}, {{0, 1, 0}, "y", ui.theme.good}, {{0, 0, 1}, "z", ui.theme.geometry}};
   list.AddCircleFilled(centre, ui.px(36), faded(ui.theme.background, 0.62f), 32);  // what lies behind has any colour

@@ -175,6 +175,17 @@ void drawExposure(const PanelContext& ui, const Box& box) {
   if (ui.resting("number:exposure", "The camera's exposure, stops: drag sideways, double click to type; E longer, Shift+E shorter, Alt+E usual.")) tooltip(ui, "Exposure: each stop doubles the light (E, Shift+E)");
 }
 
+struct ViewSwitch {
+  const char *label, *tip;
+  bool DeskUi::View::*on;
+};
+constexpr std::array kSwitches{ViewSwitch{"grid", "Metre grid on the ground: lines every 1, 10 and 100 m", &DeskUi::View::grid}, ViewSwitch{"extent", "Box around all that the effect ever reaches (B)", &DeskUi::View::extent},
+                               ViewSwitch{"ruler", "Click two places to measure between them (M)", &DeskUi::View::ruler}};
+constexpr float kDistanceWidth = 96.0f, kGap = 2.0f;  // unscaled pixels
+
+/// A narrow viewport leaves the exposure to its keys.
+float exposureWidth(const PanelContext& ui, const Box& box) { return box.width > ui.px(400) ? ui.px(66) : 0.0f; }
+
 }  // namespace
 
 std::optional<ImVec2> placeInPicture(const render::Camera& camera, const Box& box, const Vec3& point) {
@@ -214,28 +225,31 @@ void handleRuler(const PanelContext& ui, const Box& box) {
   my.ends[static_cast<std::size_t>(my.points++)] = placeUnder(ui.session.camera, box, ImGui::GetIO().MousePos, ui.session.document.preset().ground_height_m);
 }
 
+Box viewToolsBox(const PanelContext& ui, const Box& box) {
+  float width = ui.px(kDistanceWidth) + exposureWidth(ui, box) + chipWidth(ui, "view") + ui.px(4.0f * kGap + 8.0f);
+  for (const ViewSwitch& entry : kSwitches) width += chipWidth(ui, entry.label) + ui.px(kGap);
+  const float height = ui.px(26);
+  // Above the switches of what is laid over the effect in time.
+  return {{std::max(box.at.x, box.right() - width - ui.px(14)), box.end().y - height - ui.px(48)}, width, height};
+}
+
 void drawViewTools(const PanelContext& ui, const Box& box) {
   DeskUi::View& my = ui.state.desk.view;
   ImGui::PushClipRect(box.at, box.end(), true);
   if (my.extent) drawExtent(ui, box);
   drawRuler(ui, box);
   if (box.width > ui.px(430)) drawScale(ui, box);
-  const struct { const char *label, *name, *tip; bool* on; } chips[] = {
-      {"grid", "grid", "Metre grid on the ground: lines every 1, 10 and 100 m", &my.grid}, {"extent", "extent", "Box around all that the effect ever reaches (B)", &my.extent}, {"ruler", "ruler", "Click two places to measure between them (M)", &my.ruler}};
-  const float distance_width = ui.px(96), gap = ui.px(2);
-  const float exposure_width = box.width > ui.px(400) ? ui.px(66) : 0.0f;
-  float width = distance_width + exposure_width + chipWidth(ui, "view") + 4.0f * gap + ui.px(8);
-  for (const auto& entry : chips) width += chipWidth(ui, entry.label) + gap;
-  const float height = ui.px(26);
-  // Above the switches of what is laid over the effect in time.
-  const ImVec2 at{std::max(box.at.x, box.right() - width - ui.px(14)), box.end().y - height - ui.px(48)};
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, faded(ui.theme.background, 0.86f), ui.px(4));
+  const Box strip = viewToolsBox(ui, box);
+  const ImVec2 at = strip.at;
+  const float distance_width = ui.px(kDistanceWidth), exposure_width = exposureWidth(ui, box), gap = ui.px(kGap);
+  ImGui::GetWindowDrawList()->AddRectFilled(at, strip.end(), faded(ui.theme.background, 0.86f), ui.px(4));
   drawDistance(ui, {{at.x + ui.px(2), at.y + ui.px(1)}, distance_width, ui.px(24)});
   if (exposure_width > 0.0f) drawExposure(ui, {{at.x + distance_width + ui.px(2), at.y + ui.px(1)}, exposure_width, ui.px(24)});
   float x = at.x + distance_width + exposure_width + 2.0f * gap + ui.px(4);
-  for (const auto& entry : chips) {
+  for (const ViewSwitch& entry : kSwitches) {
     ImGui::SetCursorScreenPos({x, at.y + ui.px(2)});
-    if (chip(ui, entry.label, entry.name, *entry.on, entry.tip)) *entry.on = !*entry.on;
+    bool& on = my.*entry.on;
+    if (chip(ui, entry.label, entry.label, on, entry.tip)) on = !on;
     x += chipWidth(ui, entry.label) + gap;
   }
   ImGui::SetCursorScreenPos({x, at.y + ui.px(2)});

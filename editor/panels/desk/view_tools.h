@@ -15,6 +15,8 @@ Vec3 placeUnder(const render::Camera& camera, const Box& box, ImVec2 at, double 
 
 /// Sets the ruler's ends where the last item, the viewport, is clicked.
 void handleRuler(const PanelContext& ui, const Box& box);
+/// Where the strip of view tools lies on the viewport.
+Box viewToolsBox(const PanelContext& ui, const Box& box);
 /// Extent box, ruler and scale, over the picture; then the strip of view tools in its lower right corner.
 void drawViewTools(const PanelContext& ui, const Box& box);
 
