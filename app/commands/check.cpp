@@ -1,12 +1,15 @@
 #include "app/commands/command.h"
 
+#include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/observer/mind.h"
+#include "sim/world/recording_file.h"
 #include "sim/world/scenario_files.h"
 
 #include <npsee/explosion.h>
 #include <npsee/mission.h>
 #include <npsee/projectile.h>
+#include <npsee/recording.h>
 #include <npsee/weapons.h>
 
 #include <CLI/CLI.hpp>
@@ -74,7 +77,7 @@ Expected<void> readPreset(const fs::path& file) {
   return tl::unexpected(Error{ErrorKind::input, std::move(faults)});
 }
 
-/// Reads a file as what it is: weapons.dat, rules, a mission, a projectile, or else a preset. The error lists its faults.
+/// Reads a file as what it is: weapons.dat, rules, a mission, a recording, a projectile, or else a preset. The error lists its faults.
 Expected<void> readWhole(const fs::path& file) {
   const auto lift = [](auto read) -> Expected<void> {
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
@@ -84,11 +87,13 @@ Expected<void> readWhole(const fs::path& file) {
   if (file.extension() == ".dat") return lift(loadWeapons(file));
   if (named(file, ".mission.json")) return readMission(file);
   if (!named(file, ".npsee.json"))
-    if (const auto text = readTextFile(file)) {
-      const auto mentions = [&](std::string_view word) { return text->find(word) != std::string::npos; };
-      if (mentions("\"npsee_projectile\"")) return lift(parseProjectile(*text, file.string()));
-      if (mentions("\"npsee_mission\"") || mentions("\"npsnet-scenario/")) return readMission(file);
-    }
+    if (const auto text = readTextFile(file, world::kMaxRecordingFile)) switch (fileKindOf(*text)) {
+        case FileKind::projectile: return lift(parseProjectile(*text, file.string()));
+        case FileKind::mission: return readMission(file);
+        case FileKind::recording: return lift(loadRecording(file));
+        case FileKind::preset:
+        case FileKind::other: break;
+      }
   return readPreset(file);
 }
 
@@ -130,8 +135,8 @@ void addCheck(CLI::App& app, Outcome& outcome) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Validate presets, missions, projectiles, weapons.dat and rules: every fault with file, line, message and remedy; exit 1 where there is one");
-  command->add_option("PATH", options->paths, "Preset, mission, projectile, weapons.dat or rules (*.clp) files, or folders with presets and missions")->required();
+  CLI::App* command = app.add_subcommand("check", "Validate presets, missions, recordings, projectiles, weapons.dat and rules: every fault with file, line, message and remedy; exit 1 where there is one");
+  command->add_option("PATH", options->paths, "Preset, mission, recording, projectile, weapons.dat or rules (*.clp) files, or folders with presets and missions")->required();
   command->add_flag("--json", options->json, "Print the faults as JSON");
   command->footer("Examples:\n  npsee check presets\n  npsee check my_burst.npsee.json --json\n  npsee check assets/missions\n  npsee check my_observer.clp");
   command->callback([options, &outcome] { outcome.exit_code = check(options->paths, options->json); });

@@ -1,6 +1,7 @@
 #include "sim/ballistics/json_fields.h"
 #include "sim/ballistics/projectile_rows.h"
 
+#include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/core/text.h"
 
@@ -152,7 +153,9 @@ class Reader {
 
 using namespace ballistics;
 
-Expected<Projectile> parseProjectile(std::string_view text, std::string_view file) {
+namespace {
+
+Expected<Projectile> parse(std::string_view text, std::string_view file) {
   auto json = JsonText::parse(text, file);
   if (!json) return tl::unexpected<Error>(json.error());
   Reader reader(*json);
@@ -161,6 +164,15 @@ Expected<Projectile> parseProjectile(std::string_view text, std::string_view fil
     for (Fault& fault : validate(reader.projectile)) reader.fields.fault(fault.pointer, std::move(fault.what), std::move(fault.remedy));
   if (!reader.fields.faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(reader.fields.faults)});
   return std::move(reader.projectile);
+}
+
+}  // namespace
+
+Expected<Projectile> parseProjectile(std::string_view text, std::string_view file) {
+  auto projectile = parse(text, file);
+  if (!projectile)
+    if (auto other = otherKind(text, file, FileKind::projectile)) return fail(ErrorKind::input, std::move(*other));
+  return projectile;
 }
 
 Expected<Projectile> loadProjectile(const std::filesystem::path& path) {

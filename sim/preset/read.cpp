@@ -1,5 +1,6 @@
 #include <npsee/parameters.h>
 
+#include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/core/json_text.h"
 #include "sim/core/text.h"
@@ -110,9 +111,7 @@ void readLayers(const JsonText& json, Preset& preset, std::vector<Fault>& faults
   }
 }
 
-}  // namespace
-
-Expected<Preset> parsePreset(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
+Expected<Preset> parse(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
   auto json = JsonText::parse(text, name);
   if (!json) return tl::unexpected<Error>(json.error());
   if (!json->root().is_object())
@@ -131,6 +130,15 @@ Expected<Preset> parsePreset(std::string_view text, std::string_view name, const
       for (const PresetFault& fault : relationFaults(preset)) faults.push_back(json->fault(json->line(fault.pointer) > 0 ? fault.pointer : fault.fallback, fault.what, fault.remedy));
   }
   if (!faults.empty()) return tl::unexpected<Error>(Error{ErrorKind::input, std::move(faults)});
+  return preset;
+}
+
+}  // namespace
+
+Expected<Preset> parsePreset(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
+  auto preset = parse(text, name, folder);
+  if (!preset)
+    if (auto other = otherKind(text, name, FileKind::preset)) return fail(ErrorKind::input, std::move(*other));
   return preset;
 }
 

@@ -1,3 +1,4 @@
+#include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/core/json_text.h"
 #include "sim/core/text.h"
@@ -352,7 +353,10 @@ class Reader {
 Expected<Recording> loadRecording(const fs::path& path) {
   const auto text = readTextFile(path, world::kMaxRecordingFile);
   if (!text) return tl::unexpected<Error>(text.error());
-  return Reader(*text, path).run();
+  auto recording = Reader(*text, path).run();
+  if (!recording)
+    if (auto other = otherKind(*text, path.string(), FileKind::recording)) return fail(ErrorKind::input, std::move(*other));
+  return recording;
 }
 
 }  // namespace npsee

@@ -1,5 +1,6 @@
 #include "sim/world/scenario_read.h"
 
+#include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/world/scenario_files.h"
 #include "sim/world/scenario_validate.h"
@@ -115,7 +116,10 @@ void placeFaults(const std::filesystem::path& mission_file, std::vector<Fault>& 
 
 Expected<Scenario> parseScenario(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
   // Without a folder there is nothing that paths could be relative to; who opens the files then sees whether they are there.
-  return world::readScenario(text, name, folder, !folder.empty());
+  auto scenario = world::readScenario(text, name, folder, !folder.empty());
+  if (!scenario)
+    if (auto other = otherKind(text, name, FileKind::mission)) return fail(ErrorKind::input, std::move(*other));
+  return scenario;
 }
 
 Expected<Scenario> loadScenario(const std::filesystem::path& path) {
