@@ -1,4 +1,5 @@
 #include "app/commands/command.h"
+#include "app/commands/shipped.h"
 
 #include "app/render/renderer.h"
 #include "editor/run.h"
@@ -23,20 +24,6 @@ struct Options {
   bool headless = false, print_state = false, remember = false;
 };
 
-/// Folder of what is shipped ("presets", "assets/missions"): beside the executable, below its prefix, or in the source tree it was built
-/// in.
-fs::path shipped(const fs::path& name) {
-  std::error_code error;
-  const fs::path binary = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  fs::path installed = binary.parent_path().parent_path() / "share" / "npsee" / name;
-  if (fs::is_directory(installed, error)) return installed;
-  fs::path folder = binary.parent_path();
-  for (int up = 0; up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path())
-    if (fs::is_directory(folder / name, error)) return folder / name;
-  return {};
-}
-
 Expected<std::pair<int, int>> parseSize(const std::string& text) {
   int width = 0, height = 0;
   const char* const end = text.data() + text.size();
@@ -51,8 +38,8 @@ Expected<std::pair<int, int>> parseSize(const std::string& text) {
 Expected<editor::EditorOptions> editorOptions(const Options& options) {
   editor::EditorOptions out;
   out.file = options.file;
-  out.library = options.library.empty() ? shipped("presets") : fs::path(options.library);
-  out.missions = options.library.empty() ? shipped(fs::path("assets") / "missions") : fs::path(options.library);
+  out.library = options.library.empty() ? shippedFolder(kShippedPresets.folder) : fs::path(options.library);
+  out.missions = options.library.empty() ? shippedFolder(kShippedMissions.folder) : fs::path(options.library);
   // A script is to show the same pictures for everybody, whatever they have set.
   if (!options.headless || options.remember) out.folders = editor::xdgFolders();
   std::error_code ignored;
@@ -106,7 +93,8 @@ std::string footer() {
 void addEdit(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("edit", "The editor: a window, or with --headless a script that drives it without a display");
-  command->add_option("FILE", options->file, "Preset (*.npsee.json) or mission (*.mission.json) to open; without it a new preset is started");
+  CLI::Option* file = command->add_option("FILE", options->file, "Preset (*.npsee.json) or mission (*.mission.json) to open, or the name of a shipped one; without it a new preset is started");
+  for (const ShippedFiles& shipped : {kShippedPresets, kShippedMissions}) acceptShipped(file, shipped);
   command->add_flag("--headless", options->headless, "No window: run a script on the software renderer");
   command->add_option("--script", options->script, "Script that drives the editor (with --headless)")->type_name("FILE");
   command->add_option("--screenshot", options->screenshot, "Save a picture of the last frame (with --headless)")->type_name("PNG");

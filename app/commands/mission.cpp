@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 #include "app/commands/mission_pictures.h"
 #include "app/commands/mission_statistics.h"
+#include "app/commands/shipped.h"
 #include "sim/core/parallel.h"
 #include "sim/world/scenario_files.h"
 
@@ -128,7 +129,7 @@ int run(const Options& options) {
 void addMission(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("mission", "Run a fire mission without a display: the event log as JSON lines");
-  command->add_option("FILE", options->file, "Mission file (*.mission.json)")->required();
+  acceptShipped(command->add_option("FILE", options->file, "Mission file (*.mission.json), or the name of a shipped one")->required(), kShippedMissions);
   command->add_option("--until", options->until, "Stop at this time of the mission, s")->type_name("T");
   command->add_option("--set", options->settings, "Change a value: PATH=VALUE, e.g. world.weather.visibility=800 or vehicles.t72-1.pos=25400,25000; repeatable")->allow_extra_args(false)->type_name("PATH=VALUE");
   command->add_option("--seed", options->seed, "Seed of the random draws, instead of the mission's own")->type_name("N");

@@ -1,6 +1,7 @@
 #include "app/commands/render_options.h"
 
 #include "app/commands/command.h"
+#include "app/commands/shipped.h"
 #include "app/render/quality.h"
 
 #include <CLI/CLI.hpp>
@@ -56,7 +57,7 @@ void addGoldenOptions(CLI::App& command, RenderOptions& o) {
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("FILE", options.files, "Preset files (*.npsee.json)")->required();
+  acceptShipped(command.add_option("FILE", options.files, "Preset files (*.npsee.json), or names of shipped ones")->required(), kShippedPresets);
   addPictureOptions(command, options);
   addPipelineOptions(command, options);
   addGoldenOptions(command, options);

@@ -1,4 +1,5 @@
 #include "app/commands/command.h"
+#include "app/commands/shipped.h"
 
 #include <npsee/parameters.h>
 
@@ -43,7 +44,7 @@ int writeResult(std::string_view text) {
 }
 
 void addPresetOptions(CLI::App& command, PresetChoice& choice) {
-  command.add_option("FILE", choice.file, "Preset file (*.npsee.json)")->required();
+  acceptShipped(command.add_option("FILE", choice.file, "Preset file (*.npsee.json), or the name of a shipped one")->required(), kShippedPresets);
   addChangeOptions(command, choice.settings, choice.seed);
 }
 

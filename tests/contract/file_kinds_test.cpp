@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace npsee {
 namespace {
 
@@ -49,6 +51,23 @@ TEST(FileKinds, AFaultyFileOfTheRightKindIsToldOfItsFaults) {
   // A word among the values makes no kind.
   test::spill(folder / "p.json", R"({"npsee": 1, "title": "npsee_mission", "layer": []})");
   EXPECT_NE(test::npseeRun({"render", folder / "p.json", "--time", "1", "-o", folder / "never.png"}).err.find("layers"), std::string::npos);
+}
+
+TEST(ShippedNames, StandForTheirFilesWhereNoFileIsCalledSo) {
+  const test::TemporaryFolder folder;
+  const auto particles = [](const std::string& file) { return test::npseeRun({"particles", file, "--time", "0.2"}); };
+  const auto named = particles("classic_1993");
+  EXPECT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_EQ(named.out, particles(sourceFile(kPreset)).out);
+  EXPECT_EQ(test::npseeRun({"mission", "ridge_low", "--until", "3"}).out, test::npseeRun({"mission", sourceFile(kMission), "--until", "3"}).out);
+  const auto drawn = test::npseeRun({"render", "classic_1993", "cascade", "--size", "32x32", "-o", folder / "new/"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "new/cascade.png"));
+  for (const std::string& unknown : {std::string("no_such_burst"), std::string("./classic_1993"), std::string("classic_1993.json"), std::string("../presets/classic_1993")}) {
+    const auto refused = particles(unknown);
+    EXPECT_EQ(refused.exit_code, 3) << unknown;
+    EXPECT_NE(refused.err.find("there is no such file"), std::string::npos) << refused.err;
+  }
 }
 
 }  // namespace

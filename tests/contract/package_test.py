@@ -85,6 +85,8 @@ class DebianPackage(unittest.TestCase):
     def test_editor_render_and_mission_work_where_it_is_unpacked(self):
         share = self.root / "usr/share/npsee"
         self.npsee("render", share / "presets/cascade.npsee.json", "--time", "1", "--size", "320x200", "-o", "picture.png")
+        self.npsee("render", "cascade", "--time", "1", "--size", "320x200", "-o", "by_name.png")
+        self.assertEqual((self.work / "picture.png").read_bytes(), (self.work / "by_name.png").read_bytes())
         self.assertGreater((self.work / "picture.png").stat().st_size, 5000)
         log = self.npsee("mission", share / "assets/missions/hills_patrol.mission.json", "--until", "30", "--record", "run.rec")
         self.assertIn('"ev":"end"', log)
