@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -47,13 +48,28 @@ fs::path linkTarget(fs::path path) {
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// Temporary files are private; a new file gets what the umask leaves, a replaced one keeps its mode.
-mode_t modeFor(const fs::path& target) {
+/// The mode of the file that is to be replaced; nothing if there is none.
+std::optional<mode_t> modeOfOld(const fs::path& target) {
   struct stat old {};
-  if (::stat(target.c_str(), &old) == 0) return old.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  if (::stat(target.c_str(), &old) != 0) return std::nullopt;
+  return old.st_mode & 07777;
+}
+
+/// What a temporary file is opened with: private where it takes over an old file's mode in the end, else what the kernel leaves of this by
+/// the umask. To ask for the umask would be to set it, for all threads of the process.
+mode_t modeToOpen(const std::optional<mode_t>& old) { return old ? 0600 : 0666; }
+
+/// A hidden name in the folder of `target`, another for each attempt. A long name is cut at a character, so that this one is no longer than the
+/// file system allows.
+std::string temporaryName(const fs::path& target, int attempt) {
+  constexpr std::size_t kKept = 100;
+  std::string name = target.filename().string();
+  if (name.size() > kKept) {
+    std::size_t end = kKept;
+    while (end > kKept - 4 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
+    name.resize(end);
+  }
+  return (folderOf(target) / ("." + name + "." + std::to_string(::getpid()) + "." + std::to_string(attempt))).string();
 }
 
 /// A name that survives a crash of the machine needs its folder on the disk too.
@@ -62,11 +78,14 @@ void syncFolder(const fs::path& folder) {
   if (parent.valid()) ::fsync(parent.get());
 }
 
+/// Attempts at a name that is free. Names of this process's other threads and of killed ones of the same number are in the way.
+constexpr int kAttempts = 1000;
+
 /// Gives a file without a name a temporary one in the folder of `target`; empty if that is not possible.
 std::string nameBeside(const Descriptor& file, const fs::path& target) {
   const std::string from = "/proc/self/fd/" + std::to_string(file.get());
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    std::string name = (folderOf(target) / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(attempt))).string();
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    std::string name = temporaryName(target, attempt);
     if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
     if (errno != EEXIST) break;
   }
@@ -76,13 +95,24 @@ std::string nameBeside(const Descriptor& file, const fs::path& target) {
 /// Replaces by a file that has no name until it is whole, so that a process killed on the way leaves nothing behind. False where the file system has no
 /// such files, or has no room: the caller then tries a file with a name, and tells what that says.
 bool replacedByUnnamed(const fs::path& target, std::span<const std::byte> bytes) {
-  Descriptor file(::open(folderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
-  if (!file.valid() || !writeAll(file.get(), bytes) || ::fchmod(file.get(), modeFor(target)) != 0 || ::fsync(file.get()) != 0) return false;
+  const std::optional<mode_t> old = modeOfOld(target);
+  Descriptor file(::open(folderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, modeToOpen(old)));
+  if (!file.valid() || !writeAll(file.get(), bytes) || (old && ::fchmod(file.get(), *old) != 0) || ::fsync(file.get()) != 0) return false;
   const std::string name = nameBeside(file, target);
   if (name.empty() || !file.close()) return false;
   if (::rename(name.c_str(), target.c_str()) == 0) return true;
   ::unlink(name.c_str());
   return false;
+}
+
+/// An empty file with a temporary name, which goes to `name`; not valid, with errno, if that is not possible.
+Descriptor namedBeside(const fs::path& target, mode_t mode, std::string& name) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    name = temporaryName(target, attempt);
+    Descriptor file(::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, mode));
+    if (file.valid() || errno != EEXIST) return file;
+  }
+  return Descriptor();
 }
 
 }  // namespace
@@ -130,14 +160,21 @@ Expected<TemporaryFile> TemporaryFile::beside(const fs::path& wanted) {
   TemporaryFile out;
   out.wanted_ = wanted;
   out.target_ = linkTarget(wanted);
-  std::string name = (folderOf(out.target_) / ("." + out.target_.filename().string() + ".XXXXXX")).string();
-  const Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+  const std::optional<mode_t> old = modeOfOld(out.target_);
+  std::string name;
+  const Descriptor file = namedBeside(out.target_, modeToOpen(old), name);
   if (!file.valid()) return cannotWrite(wanted, errno == ENOENT ? "the folder does not exist" : reason());
   out.path_ = name;
+  struct stat made {};
+  if (::fstat(file.get(), &made) != 0) return cannotWrite(wanted, reason());
+  out.mode_ = old.value_or(made.st_mode & 07777);
+  // Nobody else reads it before it is whole; its owner can open it whatever the umask is.
+  ::fchmod(file.get(), 0600);
   return out;
 }
 
-TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept : wanted_(std::move(other.wanted_)), target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
+TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
+    : wanted_(std::move(other.wanted_)), target_(std::move(other.target_)), path_(std::exchange(other.path_, {})), mode_(other.mode_) {}
 
 TemporaryFile::~TemporaryFile() {
   if (!path_.empty()) ::unlink(path_.c_str());
@@ -145,7 +182,7 @@ TemporaryFile::~TemporaryFile() {
 
 Expected<void> TemporaryFile::publish() {
   Descriptor file(::open(path_.c_str(), O_RDWR | O_CLOEXEC));
-  if (!file.valid() || ::fchmod(file.get(), modeFor(target_)) != 0 || ::fsync(file.get()) != 0 || !file.close() || ::rename(path_.c_str(), target_.c_str()) != 0) return cannotWrite(wanted_, reason());
+  if (!file.valid() || ::fchmod(file.get(), mode_) != 0 || ::fsync(file.get()) != 0 || !file.close() || ::rename(path_.c_str(), target_.c_str()) != 0) return cannotWrite(wanted_, reason());
   path_.clear();
   syncFolder(folderOf(target_));
   return {};

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <sys/types.h>
+
 namespace npsee {
 
 /// Largest file of text the library reads (bytes); a limit against mistakes and hostile inputs.
@@ -20,7 +22,8 @@ Expected<std::string> readTextFile(const std::filesystem::path& path, std::size_
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& path, const std::string& why, std::string remedy = "Choose another place or make room; nothing was changed.");
 
 /// Writes to a temporary name in the same folder, syncs, renames: afterwards the file is whole, old or new. A symbolic link
-/// is followed, and permissions of a replaced file are kept. Error kind output; the temporary file is removed.
+/// is followed; a replaced file keeps its permissions, a new one gets what the umask leaves of rw-rw-rw-. Any number of threads may write at a
+/// time. Error kind output; the temporary file is removed.
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
@@ -42,6 +45,7 @@ class TemporaryFile {
  private:
   TemporaryFile() = default;
   std::filesystem::path wanted_, target_, path_;
+  mode_t mode_ = 0;  ///< it gets in the end
 };
 
 }  // namespace npsee
