@@ -4,10 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -80,6 +81,15 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     // What is too large by its numbers has been refused before; this machine has less. Output files appear whole or not at all.
     std::fputs("there is not enough memory for this.\n  Lower counts or sizes, or use a machine with more.\n", stderr);
+    return npsee::exitCode(npsee::ErrorKind::input);
+  } catch (const std::system_error& error) {
+    // A thread for the editor, say: work that is shared out among threads does with fewer.
+    const bool used_up = error.code() == std::errc::resource_unavailable_try_again;
+    std::fprintf(stderr, "the system refuses what this needs: %s.\n  %s\n", npsee::printable(error.what()).c_str(),
+                 used_up ? "Allow more threads and memory (ulimit -u, ulimit -v), or use fewer --jobs." : "Try it from another folder, or on another machine.");
+    return npsee::exitCode(npsee::ErrorKind::input);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "npsee cannot go on: %s.\n  This is a defect of npsee; files that were written are whole.\n", npsee::printable(error.what()).c_str());
     return npsee::exitCode(npsee::ErrorKind::input);
   }
   return outcome.exit_code;

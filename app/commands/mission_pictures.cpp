@@ -72,7 +72,9 @@ class Writer {
   Expected<void> write(render::Image image, const fs::path& file) {
     if (auto done = finish(); !done) return done;
     file_ = file;
-    running_ = std::async(std::launch::async, [this, picture = std::move(image), file] { return encoder_.write(picture, file); });
+    picture_ = std::move(image);
+    // Deferred, to the moment it is waited for, where no thread can be started. What is handed over must bear being copied: the attempt takes one.
+    running_ = std::async(std::launch::async | std::launch::deferred, [this] { return encoder_.write(picture_, file_); });
     return {};
   }
   /// Waits for the picture under way.
@@ -86,6 +88,7 @@ class Writer {
  private:
   std::vector<fs::path>& written_;
   fs::path file_;
+  render::Image picture_;
   render::PngEncoder encoder_;
   std::future<Expected<void>> running_;
 };

@@ -38,7 +38,8 @@ Expected<void> BandFile::wait() { return running_.valid() ? running_.get() : Exp
 Expected<void> BandFile::add(render::FloatImage& band) {
   if (auto done = wait(); !done) return done;
   std::swap(band_, band);
-  running_ = std::async(std::launch::async, [this] { return encode(band_); });
+  // Deferred, to the moment it is waited for, where no thread can be started.
+  running_ = std::async(std::launch::async | std::launch::deferred, [this] { return encode(band_); });
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace npsee::commands {
@@ -35,18 +36,16 @@ struct Finished {
   Picture picture;
 };
 
-/// Closes a queue at the end of its scope.
-struct Closing {
-  BoundedQueue<Frame>& queue;
-  ~Closing() { queue.close(); }
-};
-
-/// Encodes and writes pictures on several threads. The destructor waits for all of them.
+/// Encodes and writes pictures on several threads, or while one is handed over where none can be started. The destructor waits for all of them.
 class Writers {
  public:
   Writers(int threads, std::size_t pictures, const SavePicture& save)
       : save_(save), queue_(static_cast<std::size_t>(threads)), spare_(2 * static_cast<std::size_t>(threads) + 2), written_(pictures, 0) {
-    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    try {
+      for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // Fewer do the same.
+    }
   }
   ~Writers() { finish(); }
   Writers(const Writers&) = delete;
@@ -54,6 +53,11 @@ class Writers {
 
   /// Hands a picture over; false once a picture could not be written. `picture` gets the memory of one that is done.
   bool write(std::size_t index, Picture& picture) {
+    if (threads_.empty()) {
+      save({index, std::move(picture)}, encoder_);
+      picture = spare_.tryPop().value_or(Picture{});
+      return !failed_;
+    }
     if (!queue_.push({index, std::move(picture)})) return false;
     picture = spare_.tryPop().value_or(Picture{});
     return true;
@@ -87,23 +91,24 @@ class Writers {
   }
   void saveAll() {
     render::PngEncoder encoder;
-    while (auto finished = queue_.pop()) {
-      if (failed_) continue;
-      auto result = save_(finished->index, finished->picture, encoder);
-      if (result) {
-        written_[finished->index] = 1;
-        ++done_;
-        spare_.push(std::move(finished->picture));
-        continue;
-      }
-      const std::lock_guard lock(mutex_);
-      failed_ = true;
-      if (!error_ || finished->index < error_index_) {
-        error_ = std::move(result.error());
-        error_index_ = finished->index;
-      }
-      queue_.close();
+    while (auto finished = queue_.pop())
+      if (!failed_) save(std::move(*finished), encoder);
+  }
+  void save(Finished finished, render::PngEncoder& encoder) {
+    auto result = save_(finished.index, finished.picture, encoder);
+    if (result) {
+      written_[finished.index] = 1;
+      ++done_;
+      spare_.push(std::move(finished.picture));
+      return;
     }
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+    if (!error_ || finished.index < error_index_) {
+      error_ = std::move(result.error());
+      error_index_ = finished.index;
+    }
+    queue_.close();
   }
 
   const SavePicture& save_;
@@ -116,7 +121,58 @@ class Writers {
   std::optional<Error> error_;
   std::size_t error_index_ = 0;
   std::exception_ptr thrown_;
+  render::PngEncoder encoder_;  // of write() where there are no threads
   std::vector<std::jthread> threads_;
+};
+
+/// Frames in the order of the shots, simulated ahead on a thread; each when it is asked for where none can be started.
+class Simulation {
+ public:
+  Simulation(const PictureJob& job, const std::vector<Shot>& shots) : job_(job), shots_(shots) {
+    try {
+      thread_ = std::jthread([this] { work(); });
+    } catch (const std::system_error&) {
+      // next() does it.
+    }
+  }
+  /// Lets a thread that is still ahead go home, on every way out: it is waited for.
+  ~Simulation() { ahead_.close(); }
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// The next frame; nothing after an exception.
+  std::optional<Frame> next() { return thread_.joinable() ? ahead_.pop() : simulated(shots_[next_++]); }
+  /// Takes back the memory of a frame that is drawn.
+  void reuse(Frame frame) { spare_.push(std::move(frame)); }
+  /// Ends the thread and throws what it threw.
+  void finish() {
+    ahead_.close();
+    if (thread_.joinable()) thread_.join();
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  Frame simulated(const Shot& shot) {
+    Frame frame = spare_.tryPop().value_or(Frame{});
+    job_.explosion->at(shot.time_s, frame, render::kSceneFields, job_.threads);
+    return frame;
+  }
+  void work() {
+    try {
+      for (const Shot& shot : shots_)
+        if (!ahead_.push(simulated(shot))) return;
+    } catch (...) {
+      thrown_ = std::current_exception();
+      ahead_.close();
+    }
+  }
+
+  const PictureJob& job_;
+  const std::vector<Shot>& shots_;
+  std::size_t next_ = 0;
+  BoundedQueue<Frame> ahead_{kFramesAhead}, spare_{kFramesAhead + 2};
+  std::exception_ptr thrown_;  // read when the thread has ended
+  std::jthread thread_;        // last, so that it ends before what it uses
 };
 
 }  // namespace
@@ -125,22 +181,7 @@ tl::unexpected<Error> stoppedEarly() { return fail(ErrorKind::output, "stopped b
 
 Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots,
                             const std::function<Expected<void>(const Shot&, Picture&)>& take) {
-  BoundedQueue<Frame> ahead(kFramesAhead), spare(kFramesAhead + 2);
-  std::exception_ptr thrown;  // by the simulation; read when its thread has ended
-  std::jthread simulation([&] {
-    try {
-      for (const Shot& shot : shots) {
-        Frame frame = spare.tryPop().value_or(Frame{});
-        job.explosion->at(shot.time_s, frame, render::kSceneFields, job.threads);
-        if (!ahead.push(std::move(frame))) return;
-      }
-    } catch (...) {
-      thrown = std::current_exception();
-      ahead.close();
-    }
-  });
-  // Lets a simulation that is still ahead go home, on every way out: its thread is waited for.
-  const Closing closing{ahead};
+  Simulation simulation(job, shots);
   Expected<void> result;
   Picture picture;
   for (const Shot& shot : shots) {
@@ -148,24 +189,22 @@ Expected<void> drawPictures(render::Renderer& renderer, const PictureJob& job, c
       result = stoppedEarly();
       break;
     }
-    std::optional<Frame> frame = ahead.pop();
+    std::optional<Frame> frame = simulation.next();
     if (!frame) break;
     render::Scene scene = job.scene;
     scene.frame = &*frame;
     result = job.floats ? renderer.drawToFloats(scene, job.camera, job.width, job.height, *job.floats, picture.floats) : renderer.drawToImage(scene, job.camera, job.width, job.height, picture.image);
     if (result) result = take(shot, picture);
     if (!result) break;
-    spare.push(std::move(*frame));
+    simulation.reuse(std::move(*frame));
   }
-  ahead.close();
-  simulation.join();
-  if (thrown) std::rethrow_exception(thrown);
+  simulation.finish();
   return result;
 }
 
 Expected<void> savePictures(render::Renderer& renderer, const PictureJob& job, const std::vector<Shot>& shots, const SavePicture& save,
                             const std::function<void(std::size_t done)>& progress, std::vector<char>& saved) {
-  Writers writers(writersFor(job), shots.size(), save);
+  Writers writers(std::min(writersFor(job), static_cast<int>(std::min<std::size_t>(shots.size(), 1024))), shots.size(), save);
   std::size_t next = 0;
   auto drawn = drawPictures(renderer, job, shots, [&](const Shot&, Picture& picture) -> Expected<void> {
     // The writers know the reason; any error ends the drawing.

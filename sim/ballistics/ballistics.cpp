@@ -3,9 +3,9 @@
 #include "sim/ballistics/angles.h"
 #include "sim/ballistics/setup.h"
 #include "sim/core/elementary.h"
+#include "sim/core/parallel.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <thread>
 
@@ -23,6 +23,8 @@ namespace {
 
 /// Flights a thread takes at a time: long enough to keep the lanes full, short enough to share evenly.
 constexpr std::size_t kBatch = 256;
+/// More are never started.
+constexpr int kMostThreads = 256;
 
 class NodeRecorder final : public Recorder {
  public:
@@ -82,6 +84,27 @@ std::vector<Fault> shotFaults(const Shot& shot) {
   within(faults, "the Magnus factor", f.magnus, -100.0, 100.0, "");
   within(faults, "the yaw drag factor", f.yaw_drag, 0.0, 100.0, "");
   return faults;
+}
+
+/// Flies those of the shots that are possible; the others' flights are empty.
+void flyBatch(const Setup& setup, std::span<const Shot> shots, std::span<Flight> flights) {
+  std::vector<ShotConstants> constants;
+  std::vector<std::size_t> place;
+  constants.reserve(shots.size());
+  place.reserve(shots.size());
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    flights[i] = {};
+    if (!shotFaults(shots[i]).empty()) continue;
+    constants.push_back(constantsOf(setup, shots[i]));
+    place.push_back(i);
+  }
+  std::vector<Progress> progress(constants.size());
+  if (setup.integration.integrator == Integrator::dormand_prince) {
+    if (!constants.empty()) bestKernels().fly_many(setup, constants.data(), progress.data(), constants.size());
+  } else {
+    for (std::size_t k = 0; k < constants.size(); ++k) flyFixed(setup, constants[k], progress[k], nullptr);
+  }
+  for (std::size_t k = 0; k < place.size(); ++k) flights[place[k]] = flightOf(setup, shots[place[k]], progress[k]);
 }
 
 }  // namespace
@@ -171,37 +194,12 @@ FlightPath Ballistics::path(const Shot& shot) const {
 }
 
 void Ballistics::flyMany(std::span<const Shot> shots, std::span<Flight> flights, int threads) const {
-  const Setup& setup = data_->setup;
   const std::size_t batches = (shots.size() + kBatch - 1) / kBatch;
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    std::vector<ShotConstants> constants;
-    std::vector<Progress> progress;
-    std::vector<std::size_t> place;
-    for (std::size_t batch = next++; batch < batches; batch = next++) {
-      const std::size_t begin = batch * kBatch, end = std::min(begin + kBatch, shots.size());
-      constants.clear();
-      place.clear();
-      for (std::size_t i = begin; i < end; ++i) {
-        flights[i] = {};
-        if (!shotFaults(shots[i]).empty()) continue;
-        constants.push_back(constantsOf(setup, shots[i]));
-        place.push_back(i);
-      }
-      progress.assign(constants.size(), {});
-      if (setup.integration.integrator == Integrator::dormand_prince) {
-        if (!constants.empty()) bestKernels().fly_many(setup, constants.data(), progress.data(), constants.size());
-      } else {
-        for (std::size_t k = 0; k < constants.size(); ++k) flyFixed(setup, constants[k], progress[k], nullptr);
-      }
-      for (std::size_t k = 0; k < place.size(); ++k) flights[place[k]] = flightOf(setup, shots[place[k]], progress[k]);
-    }
-  };
-  const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  const std::size_t helpers = std::min({wanted, batches, std::size_t{256}});
-  std::vector<std::jthread> pool;
-  for (std::size_t i = 1; i < helpers; ++i) pool.emplace_back(work);
-  work();
+  const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  parallelFor(std::min(wanted, kMostThreads), batches, [&](std::size_t batch) {
+    const std::size_t begin = batch * kBatch, size = std::min(kBatch, shots.size() - begin);
+    flyBatch(data_->setup, shots.subspan(begin, size), flights.subspan(begin, size));
+  });
 }
 
 const Projectile& Ballistics::projectile() const { return *data_->projectile; }

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace npsee {
 
 /// Calls `work(i)` for i in [0, count) on up to `threads` threads, this one included; returns when all are done. Which thread does
-/// which i is open, so `work` must write only what belongs to i. The first exception is thrown on.
+/// which i is open, so `work` must write only what belongs to i. The first exception is thrown on. Where the system gives fewer threads, fewer do the
+/// same work.
 template <class Work>
 void parallelFor(int threads, std::size_t count, const Work& work) {
   const std::size_t helpers = threads > 1 && count > 1 ? std::min<std::size_t>(static_cast<std::size_t>(threads), count) - 1 : 0;
@@ -21,9 +24,10 @@ void parallelFor(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto loop = [&] {
+  std::atomic<std::size_t> allowed{helpers};
+  const auto loop = [&](std::size_t ordinal) {
     try {
-      for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
+      for (std::size_t i; ordinal <= allowed && (i = next.fetch_add(1)) < count;) work(i);
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
@@ -31,8 +35,14 @@ void parallelFor(int threads, std::size_t count, const Work& work) {
   };
   {
     std::vector<std::jthread> pool;
-    for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(loop);
-    loop();
+    pool.reserve(helpers);
+    try {
+      for (std::size_t ordinal = 1; ordinal <= helpers; ++ordinal) pool.emplace_back(loop, ordinal);
+    } catch (const std::system_error&) {
+      // What is used up here, memory or a number of threads, others need too: half of these go home.
+      allowed = pool.size() / 2;
+    }
+    loop(0);
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -14,6 +14,8 @@ FULL = ((resource.RLIMIT_FSIZE, 2048),)
 
 
 class Faults(CommandLine):
+    #: The stack of a thread is as large as that of the program may become: so no thread finds a place.
+    NO_THREADS = ((resource.RLIMIT_STACK, 1 << 50),)
     #: Every command that writes, and the file it writes.
     WRITERS = (
         (("particles", "small.npsee.json", "--time", "1", "-o", "out.csv"), "out.csv"),
@@ -118,6 +120,44 @@ class Faults(CommandLine):
         done = self.run_npsee("particles", "big.npsee.json", "--time", "1", "-o", "out.csv", limits=((resource.RLIMIT_AS, 300 << 20),))
         self.expect(3, done, "memory")
         self.assertNotIn("out.csv", self.files())
+
+    MANY_JOBS = (
+        ("render", "small.npsee.json", "--time", "1", "--size", "64x64", "--jobs", "256", "-o", "out.png"),
+        ("render", "small.npsee.json", "--frames", "0:0.2", "--fps", "10", "--size", "64x64", "--jobs", "256", "-o", "f_%d.png"),
+        ("mission", "m.mission.json", "--until", "20", "--monte-carlo", "300", "--jobs", "1024"),
+        ("replay", "r.rec", "--render", "t=10,size=64x64", "--render", "t=20,size=64x64", "-o", "m_%d.png"),
+        ("particles", "small.npsee.json", "--time", "1", "-o", "out.csv"),
+        ("table", "--projectile", "m107", "--charge", "8"),
+        ("compare", "a", "b", "--jobs", "64"),
+    )
+
+    def set_up_many_jobs(self):
+        self.preset(count=5000)
+        for folder in ("a", "b"):
+            for number in range(3):
+                self.write(f"{folder}/{number}.png", (SOURCE / "tests/golden/passes").glob("*.png").__next__().read_bytes())
+
+    @unittest.skipIf(SANITIZED, "sanitizers take addresses and threads of their own")
+    def test_where_no_thread_can_be_started_the_result_is_the_same(self):
+        if resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY:
+            self.skipTest("stacks may not grow so far here")
+        self.set_up_many_jobs()
+        for call in self.MANY_JOBS:
+            with self.subTest(call=" ".join(call)):
+                # The graphics driver has threads of its own, and does not ask whether they started.
+                one, other = (self.run_npsee(*call, limits=limits, LP_NUM_THREADS="0") for limits in ((), self.NO_THREADS))
+                self.expect(0, one)
+                self.expect(0, other)
+                self.assertEqual(other.stdout, one.stdout)
+
+    @unittest.skipIf(SANITIZED, "sanitizers take addresses and threads of their own")
+    def test_more_threads_than_the_memory_has_room_for_end_no_command(self):
+        self.set_up_many_jobs()
+        for call in self.MANY_JOBS:
+            with self.subTest(call=" ".join(call)):
+                done = self.run_npsee(*call, limits=((resource.RLIMIT_AS, 2_000_000 << 10),), LP_NUM_THREADS="0")
+                self.assertIn(done.returncode, (0, 3), done.stderr[-2000:])
+                self.assertTrue(done.returncode == 0 or "memory" in done.stderr, done.stderr)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include "app/commands/render_pipeline.h"
 #include "tests/support/explosions.h"
+#include "tests/support/no_threads.h"
 #include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,26 @@ TEST_F(Pipeline, AllIsSavedInAnyNumberOfThreads) {
     EXPECT_TRUE(done);
     EXPECT_EQ(saved, std::vector<char>(shots_.size(), 1));
   }
+}
+
+TEST_F(Pipeline, WhereNoThreadIsGivenTheSameIsDrawnAndSaved) {
+  job_.threads = 3;
+  const auto pictures = [&](std::size_t broken) {
+    std::vector<render::Image> out(shots_.size());
+    std::vector<char> saved;
+    const auto done = savePictures(*renderer_, job_, shots_, [&](std::size_t i, const Picture& picture, render::PngEncoder&) -> Expected<void> {
+      if (i == broken) return fail(ErrorKind::output, "full");
+      out[i] = picture.image;
+      return {};
+    }, [](std::size_t) {}, saved);
+    EXPECT_EQ(done.has_value(), broken >= shots_.size());
+    return out;
+  };
+  const auto together = pictures(shots_.size());
+  const test::NoThreads none;
+  const auto alone = pictures(shots_.size());
+  for (std::size_t i = 0; i < shots_.size(); ++i) EXPECT_EQ(alone[i].rgba, together[i].rgba) << i;
+  EXPECT_TRUE(pictures(5)[6].rgba.empty()) << "an error ends the run";
 }
 
 }  // namespace
