@@ -157,7 +157,12 @@ struct Mission::State {
   // engine_commands.cpp
   void obeyCommands();
   void obey(const MissionCommand& command);
-  void humanCall(int post, const MissionCommand& command);
+  /// An order that cannot be obeyed is told by the log.
+  void refuseOrder(const std::string& text);
+  void handOver(const MissionCommand& command);
+  void humanCall(const MissionCommand& command);
+  void humanWord(const MissionCommand& command);
+  int seenNear(const observer::Post& post, const Vec3& place) const;
 
   // engine_sense.cpp
   void sense();

@@ -4,6 +4,7 @@
  *   c_consumer fly CHARGE ELEVATION_RAD                  range and time of flight of an m107
  *   c_consumer aim CHARGE RANGE_M                        lower elevation
  *   c_consumer mission FILE                              the event log as it comes
+ *   c_consumer orders FILE                               what the log says of orders that nobody can obey, up to 5 s
  *   c_consumer record FILE RECORDING                     the mission to its end, saved
  *   c_consumer recording FILE TIME                       duration and hash; the events from a time on; vehicles and shells at it
  *   c_consumer errors RECORDING                          every misuse must be refused; prints "refused N"
@@ -131,6 +132,37 @@ static void mission(const char* file) {
   need(npsee_mission_advance(run, 33.3, print_event, &events));
   need(npsee_mission_advance(run, 1e9, print_event, &events));
   if (!npsee_mission_finished(run) || events != npsee_mission_events(run)) exit(7);
+  npsee_mission_free(run);
+}
+
+static void print_warning(void* user, double t_s, const char* kind, const char* json) {
+  (void)user;
+  (void)t_s;
+  if (strcmp(kind, "warning") == 0 || strcmp(kind, "call") == 0 || strcmp(kind, "end_of_mission") == 0) printf("%s\n", json);
+}
+
+static void orders(const char* file) {
+  npsee_scenario* scenario = NULL;
+  npsee_mission* run = NULL;
+  npsee_order order;
+  need(npsee_scenario_load(file, &scenario));
+  need(npsee_mission_start(scenario, &run));
+  npsee_scenario_free(scenario);
+  memset(&order, 0, sizeof order);
+  order.kind = NPSEE_TAKE;
+  order.who = "fo1";
+  need(npsee_mission_order(run, &order));
+  order.t_s = 1.0;
+  order.kind = NPSEE_CALL_FOR_FIRE;
+  order.target = "t72-9";
+  need(npsee_mission_order(run, &order));
+  order.kind = NPSEE_END_MISSION;
+  order.mission = 77;
+  need(npsee_mission_order(run, &order));
+  order.kind = NPSEE_DRIVE;
+  order.who = NULL;
+  need(npsee_mission_order(run, &order));
+  need(npsee_mission_advance(run, 5.0, print_warning, NULL));
   npsee_mission_free(run);
 }
 
@@ -397,6 +429,7 @@ int main(int argc, char** argv) {
   else if (argc == 4 && strcmp(argv[1], "fly") == 0) fly(argv[2], atof(argv[3]));
   else if (argc == 4 && strcmp(argv[1], "aim") == 0) aim(argv[2], atof(argv[3]));
   else if (argc == 3 && strcmp(argv[1], "mission") == 0) mission(argv[2]);
+  else if (argc == 3 && strcmp(argv[1], "orders") == 0) orders(argv[2]);
   else if (argc == 4 && strcmp(argv[1], "record") == 0) record(argv[2], argv[3]);
   else if (argc == 4 && strcmp(argv[1], "recording") == 0) recording(argv[2], atof(argv[3]));
   else if (argc == 3 && strcmp(argv[1], "errors") == 0) {

@@ -108,6 +108,15 @@ TEST(CInterface, AMissionsEventsAreTheLogOfTheCommandLine) {
   EXPECT_NE(run.out.find("\"ev\":\"end\""), std::string::npos);
 }
 
+TEST(CInterface, OrdersThatNobodyCanObeyAreToldByTheLog) {
+  const auto run = test::run(NPSEE_C_CONSUMER, {"orders", std::string(NPSEE_SOURCE_DIR) + "/assets/missions/thesis_default.mission.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::vector<std::string> texts;
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) texts.push_back(nlohmann::json::parse(line).value("text", line));
+  EXPECT_EQ(texts, (std::vector<std::string>{"A person takes over fo1.", "There is no vehicle \"t72-9\" to call fire on.", "Mission 77 is not open; there is nothing to end.", "There is no vehicle \"\" to drive."}));
+}
+
 /// A recording of version 1, which is read for ever.
 std::string sampleRecording() { return std::string(NPSEE_SOURCE_DIR) + "/tests/data/v1/thesis_default.rec"; }
 

@@ -277,6 +277,98 @@ TEST(MissionEngine, CommandsThatNameNobodyAreAnsweredByAWarning) {
   EXPECT_GE(eventsOf(recording, EventKind::warning).size(), 2u);
 }
 
+/// A command without the fields that its kind does not need.
+MissionCommand command(double t_s, MissionCommand::Kind kind, const std::string& who, const std::string& target = {}, int mission = 0) {
+  return {.t_s = t_s, .kind = kind, .who = who, .place = {}, .target = target, .mission = mission, .description = {}};
+}
+
+/// The texts of all warnings, and that the log knows of nothing else that was done.
+void expectOnlyWarnings(const Recording& recording, const std::vector<std::string>& texts) {
+  std::vector<std::string> told;
+  for (const MissionEvent* event : eventsOf(recording, EventKind::warning)) told.push_back(event->text("text"));
+  EXPECT_EQ(told, texts) << eventLog(recording);
+}
+
+TEST(MissionEngine, ACallOnATargetThatIsNotKnownIsRefusedInTheLog) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  sc.vehicles.push_back(sc.vehicles[0]);
+  sc.vehicles[1].id = "hidden";
+  sc.vehicles[1].at = {9900.0, 5000.0};  // beyond what he sees
+  sc.observers[0].max_range_m = 4000.0;
+  const Recording recording = ran(sc, {command(1.0, call_for_fire, "fo1", "t72-9"), command(1.0, call_for_fire, "fo1", "hidden"), command(1.0, call_for_fire, "nobody", "t72-1")});
+  expectOnlyWarnings(recording, {"There is no vehicle \"t72-9\" to call fire on.", "Observer fo1 has not seen hidden; a call for fire on it needs a place.", "There is no observer \"nobody\" to call fire."});
+  EXPECT_TRUE(eventsOf(recording, EventKind::call).empty());
+  EXPECT_TRUE(recording.shells.empty());
+}
+
+TEST(MissionEngine, ACallOnATargetThatIsKnownGoesWhereHeBelievesIt) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  const Recording recording = ran(sc, {command(2.0, call_for_fire, "fo1", "t72-1")});
+  ASSERT_EQ(eventsOf(recording, EventKind::call).size(), 1u);
+  EXPECT_EQ(eventsOf(recording, EventKind::call).front()->text("target"), "t72-1");
+  EXPECT_NEAR(eventsOf(recording, EventKind::call).front()->number("range_m"), 2500.0, 200.0);
+  EXPECT_FALSE(recording.shells.empty());
+}
+
+TEST(MissionEngine, ACallOnATargetThatHasDrivenAwayGoesWhereHeSawItLast) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  sc.observers[0].max_range_m = 2600.0;
+  sc.vehicles[0].behaviour = Behaviour::user;
+  const Recording recording = ran(sc, {command(1.0, take, "t72-1"), [] {
+                                         MissionCommand out = command(1.0, drive, "t72-1");
+                                         out.speed_mps = 15.0;
+                                         return out;
+                                       }(), command(100.0, call_for_fire, "fo1", "t72-1")});
+  const auto lost = eventsOf(recording, EventKind::lost);
+  ASSERT_EQ(lost.size(), 1u) << eventLog(recording);
+  const auto calls = eventsOf(recording, EventKind::call);
+  ASSERT_EQ(calls.size(), 1u) << eventLog(recording);
+  EXPECT_EQ(*calls.front()->find("position"), *lost.front()->find("position"));
+}
+
+TEST(MissionEngine, OnlyItsObserverCorrectsAMission) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  sc.observers.push_back(sc.observers[0]);
+  sc.observers[1].id = "fo2";
+  sc.observers[1].at = {4500.0, 5300.0};
+  std::vector<MissionCommand> commands{command(2.0, call_for_fire, "fo1", "t72-1")};
+  const Recording alone = ran(sc, commands);
+  for (const auto kind : {correct, fire_for_effect, end_mission})
+    for (const char* who : {"fo2", "nobody", ""}) commands.push_back(command(20.0, kind, who, {}, 1));
+  const Recording recording = ran(sc, commands);
+  const auto warnings = eventsOf(recording, EventKind::warning);
+  ASSERT_EQ(warnings.size(), 9u) << eventLog(recording);
+  EXPECT_EQ(warnings.front()->text("text"), "Mission 1 is not that of \"fo2\", but of fo1; the order is dropped.");
+  EXPECT_TRUE(eventsOf(recording, EventKind::correction).empty());
+  EXPECT_EQ(recording.shells.size(), alone.shells.size()) << "the orders changed nothing";
+}
+
+TEST(MissionEngine, EndingAMissionThatIsNotOpenIsTold) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  sc.observers[0].human = true;
+  const Recording recording = ran(sc, {command(1.0, end_mission, "fo1", {}, 77), command(2.0, call_for_fire, "fo1", "t72-1"), command(3.0, end_mission, "fo1", {}, 1), command(4.0, end_mission, "fo1", {}, 1)});
+  expectOnlyWarnings(recording, {"Mission 77 is not open; there is nothing to end.", "Mission 1 is not open; there is nothing to end."});
+}
+
+TEST(MissionEngine, DrivingOrCallingWithWhatIsDestroyedIsTold) {
+  using enum MissionCommand::Kind;
+  Scenario sc = duel();
+  const Recording destroyed = ran(sc);
+  const auto when = eventsOf(destroyed, EventKind::destroyed);
+  ASSERT_EQ(when.size(), 1u);
+  const Recording recording = ran(sc, {command(when.front()->t_s + 1.0, drive, "t72-1")});
+  expectOnlyWarnings(recording, {"Vehicle t72-1 is destroyed and does not drive."});
+}
+
 TEST(MissionEngine, ADriverMovesHisVehicleAndItsTrackShowsIt) {
   using enum MissionCommand::Kind;
   Scenario sc = duel();

@@ -346,10 +346,10 @@ typedef enum npsee_order_kind {
   NPSEE_DRIVE = 0,           ///< vehicle `who`: wished speed and turn rate
   NPSEE_TAKE = 1,            ///< a person takes over the observer or vehicle `who`
   NPSEE_RELEASE = 2,         ///< and hands it back
-  NPSEE_CALL_FOR_FIRE = 3,   ///< observer `who` calls fire on `target`, or on the place where that is null
-  NPSEE_CORRECT = 4,         ///< observer `who` corrects `mission` by right and add
-  NPSEE_FIRE_FOR_EFFECT = 5, ///< observer `who`, for `mission`
-  NPSEE_END_MISSION = 6,     ///< observer `who` ends `mission`
+  NPSEE_CALL_FOR_FIRE = 3,   ///< observer `who` calls fire on `target`, a vehicle that he sees or has seen, or on the place where that is null
+  NPSEE_CORRECT = 4,         ///< observer `who` corrects his `mission` by right and add
+  NPSEE_FIRE_FOR_EFFECT = 5, ///< observer `who`, for his `mission`
+  NPSEE_END_MISSION = 6,     ///< observer `who` ends his `mission`
   NPSEE_SHOOT = 7            ///< direct fire of vehicle `who` at the place
 } npsee_order_kind;
 
@@ -365,7 +365,8 @@ typedef struct npsee_order {
   double right_m, add_m;     ///< as seen by the observer
 } npsee_order;
 
-/// Gives an order. Errors: usage. Orders that cannot be obeyed are told by the log.
+/// Gives an order. Errors: usage. An order that cannot be obeyed when its time comes (nobody of that name, a vehicle that is destroyed, a mission that
+/// is not open or another observer's, a target that he has never seen) changes nothing and is told by a "warning" of the log.
 NPSEE_API npsee_status npsee_mission_order(npsee_mission* mission, const npsee_order* order);
 
 /// Time simulated so far, s; 0 for null.

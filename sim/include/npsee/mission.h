@@ -8,14 +8,15 @@
 
 namespace npsee {
 
-/// What a person does during a mission. A mission is a function of (scenario, seed, commands).
+/// What a person does during a mission. A mission is a function of (scenario, seed, commands). A command that cannot be obeyed (nobody of that name, a
+/// vehicle that is destroyed, a mission that is not open or another observer's) changes nothing and is told by a `warning` of the log.
 struct MissionCommand {
   enum class Kind {
     drive,         ///< vehicle: wished speed and turn rate
     take,          ///< a person takes over the observer or vehicle `who`
     release,       ///< and hands it back
-    call_for_fire, ///< observer `who` calls fire on `place` (or `target`) with `method`
-    correct,       ///< spotting correction for `mission`: right and add, m, in the observer-target frame
+    call_for_fire, ///< observer `who` calls fire with `method` on `target`, a vehicle that he sees or has seen, or on `place` where that is empty
+    correct,       ///< spotting correction of `who` for his `mission`: right and add, m, in the observer-target frame
     fire_for_effect,
     end_mission,
     shoot,         ///< direct fire of vehicle `who` at `place`
