@@ -6,12 +6,16 @@
 namespace npsee::editor {
 namespace {
 
+/// After the strip was drawn. Editing goes on beside the question, so that what takes something for good counts only where it is meant: Delete, which
+/// editing uses too, with the pointer over the strip.
 void answerByKeys(const PanelContext& ui) {
-  if (ImGui::GetIO().WantTextInput || ui.session.files.mode != FilePanel::Mode::closed) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || io.KeyCtrl || io.KeyShift || io.KeyAlt || ui.session.files.mode != FilePanel::Mode::closed) return;
+  const bool over = ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
   if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) ui.session.answer(Answer::save);
   else if (pressed(ImGuiKey_Escape)) ui.session.answer(Answer::cancel);
-  else if (pressed(ImGuiKey_Delete)) ui.session.answer(Answer::discard);
+  else if (over && pressed(ImGuiKey_Delete)) ui.session.answer(Answer::discard);
 }
 
 /// Quitting takes exports with it.
@@ -27,7 +31,7 @@ void drawExportQuestion(const PanelContext& ui) {
     ImGui::SameLine();
     if (textButton(ui, "Stay", "stay")) ui.session.answer(Answer::cancel);
   });
-  ui.resting("strip:question", "Enter waits for it, Delete cancels it and quits, Escape stays.");
+  ui.resting("strip:question", "Enter waits for it, Escape stays, Delete with the pointer here cancels it and quits.");
   answerByKeys(ui);
 }
 
@@ -43,7 +47,7 @@ void drawQuestion(const PanelContext& ui) {
     ImGui::SameLine();
     if (textButton(ui, "Cancel", "cancel")) ui.session.answer(Answer::cancel);
   });
-  ui.resting("strip:question", "Enter saves, Delete discards, Escape cancels.");
+  ui.resting("strip:question", "Enter saves, Escape cancels, Delete with the pointer here discards.");
   answerByKeys(ui);
 }
 

@@ -251,7 +251,7 @@ TEST_F(OwnModel, QuittingWhileAnExportIsAtWorkAsks) {
   fs::create_directories(folder_ / "out");
   const std::string large = exported("large_%04d.png", "click menu:Export\nclick \"item:Export sequence\"\n", "1920x1080, 60 fps") + "click button:export\nexpect exporting = 1\n";
   passes(large + "key ctrl+Q\nexpect question = yes\nexpect quitting = no\nexpect visible \"button:quit when done\"\nkey Escape\nexpect question = no\nexpect exporting = 1\n"
-                 "key ctrl+Q\nkey Delete\nexpect quitting = yes\n");
+                 "key ctrl+Q\nkey ctrl+Delete\nexpect quitting = no\nkey Delete\nexpect quitting = no\nkey ctrl+Z\nhover strip:question\nkey Delete\nexpect quitting = yes\n");
   passes("set time 0.2\n" + exported("small.png") + "click button:export\nkey ctrl+Q\nkey Enter\nsettle\nwait 3\nexpect quitting = yes\nexpect exporting = 0\n");
   EXPECT_TRUE(fs::exists(folder_ / "out/small.png"));
 }

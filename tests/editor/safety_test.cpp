@@ -225,6 +225,32 @@ expect dirty = no
   EXPECT_EQ(speedIn(in("work.npsee.json")), 61.0);
 }
 
+TEST_F(DeskScript, DeletingWhileEditingGoesOnDoesNotAnswerTheQuestion) {
+  passes(R"(set fragments.size_over_life [[0,1],[0.5,0.5],[1,1]]
+click "button:add layer"
+click layer:fragments
+click life:fragments.size_over_life
+hover point:fragments.size_over_life.1
+key ctrl+Q
+expect question = yes
+expect layers = 2
+click point:fragments.size_over_life.1
+key Delete
+expect fragments.size_over_life = [[0,1],[1,1]]
+expect question = yes
+expect quitting = no
+key ctrl+Delete
+expect layers = 1
+expect question = yes
+expect quitting = no
+hover strip:question
+key ctrl+Delete
+expect question = yes
+key Delete
+expect quitting = yes
+)");
+}
+
 TEST_F(DeskScript, UnsavedWorkIsOfferedBroughtBackAndThrownAway) {
   remembers("set fragments.speed_mean 61\nexpect autosaved = yes\n", preset());
   remembers(R"(expect unsaved = 1
