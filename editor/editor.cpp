@@ -65,7 +65,7 @@ Expected<std::unique_ptr<Editor>> Editor::create(const EditorOptions& options, s
   const bool mission = isMissionFile(options.file);
   if (!options.file.empty())
     if (auto loaded = mission ? session.mission().load(options.file) : session.document.load(options.file); !loaded) return tl::unexpected<Error>(loaded.error());
-  if (mission) session.mode = WorkMode::mission;
+  if (mission) session.setMode(WorkMode::mission);
   session.files.listing.folder = options.file.empty() ? options.library : options.file.parent_path();
   if (options.time_s && mission) {
     session.mission().clock.setDuration(session.mission().document.scenario().duration_s);
@@ -103,7 +103,7 @@ void Editor::frame(double elapsed_s, std::optional<float> frame_ms, bool picture
   ImGui::PopFont();
   noteDown(my.state, my.desk->settings);
   // A drag is over when nothing is held any more: what it changed is one step of the history.
-  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !my.state.mission.driving.keys) my.session.endMerge();
+  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !(my.session.inMission() && my.state.mission.driving.keys)) my.session.endMerge();
   if (!std::exchange(my.state.typing.shown, false)) my.state.typing = {};
   if (my.state.hover.seen) my.state.hover.seconds += elapsed_s;
   else my.state.hover = {};

@@ -117,7 +117,7 @@ Expected<std::string> Desk::commandLine(const Document& document, const ExportCh
   if (folders_.state.empty()) return fail(ErrorKind::usage, "A command line needs a file: these changes cannot be written with --set.", "Save the preset first.");
   const std::string text = document.text();
   // A folder for each: models of the same name may differ.
-  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text + document.preset().folder.path.string()).substr(0, 12)) / (document.name() + ".npsee.json");
+  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text + document.preset().folder.path.string()).substr(0, 12)) / (document.name() + std::string(kPresetEnding));
   fs::create_directories(copy.parent_path(), ignored);
   auto written = writeFileAtomically(copy, text);
   if (written) written = bringModels(document.preset(), copy.parent_path());

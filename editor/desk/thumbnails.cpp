@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 
 /// Pictures kept in the cache; about 30 kB each.
 constexpr std::size_t kMostKept = 1000;
-constexpr std::string_view kEnding = ".npsee.json";
 
 bool there(const fs::path& file) {
   std::error_code ignored;
@@ -38,8 +37,8 @@ std::string modelsOf(const std::string& text, const fs::path& file) {
 /// The picture that is shipped beside a preset which nobody has changed.
 fs::path shippedPicture(const fs::path& preset, std::string_view text) {
   const std::string file = preset.filename().string();
-  if (!file.ends_with(kEnding)) return {};
-  const std::string name = file.substr(0, file.size() - kEnding.size());
+  if (!file.ends_with(kPresetEnding)) return {};
+  const std::string name = file.substr(0, file.size() - kPresetEnding.size());
   const auto assets = render::shippedPresets();
   const bool same = std::ranges::any_of(assets, [&](const render::ShippedAsset& asset) { return asset.name == name && asset.text == text; });
   const fs::path picture = preset.parent_path() / "thumbnails" / (name + ".png");
@@ -94,7 +93,7 @@ void Thumbnails::startNext() {
   std::error_code ignored;
   fs::create_directories(workFolder(), ignored);
   // The bytes whose fingerprint names the picture, whatever the file holds by now.
-  const fs::path recipe = workFolder() / ("preset" + std::string(kEnding));
+  const fs::path recipe = workFolder() / ("preset" + std::string(kPresetEnding));
   auto preset = parsePreset(now_.text, recipe.string());
   if (preset) preset->folder.path = now_.folder;
   if (!preset || !writeFileAtomically(recipe, now_.text) || !bringModels(*preset, workFolder())) {

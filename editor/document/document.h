@@ -15,7 +15,7 @@ namespace npsee::editor {
 /// A moment of the edited preset: the immutable value and what was selected in it.
 struct Snapshot {
   using Content = Preset;
-  static constexpr std::string_view kWhat = "preset", kEnding = ".npsee.json";
+  static constexpr std::string_view kWhat = "preset", kEnding = kPresetEnding;
   /// One layer, so that there is something to see.
   static Preset fresh();
   static Expected<Preset> read(const std::filesystem::path& path) { return loadPreset(path); }

@@ -11,9 +11,14 @@ std::string FileDocument::name() const {
 }
 
 std::filesystem::path FileDocument::fileFor(const std::filesystem::path& path) const {
-  std::filesystem::path out = path;
-  if (!out.filename().empty() && out.extension().empty()) out += ending_;
-  return out;
+  std::string name = path.filename().string();
+  if (name.empty() || name.ends_with(ending_)) return path;
+  for (const std::string_view other : {kPresetEnding, kMissionEnding, std::string_view(".json")})
+    if (name.size() > other.size() && name.ends_with(other)) {
+      name.resize(name.size() - other.size());
+      break;
+    }
+  return path.parent_path() / (name + std::string(ending_));
 }
 
 void FileDocument::jump(int steps) {

@@ -10,6 +10,9 @@
 
 namespace npsee::editor {
 
+/// How the files of each kind end: by that they are listed, and opened as what they are.
+inline constexpr std::string_view kPresetEnding = ".npsee.json", kMissionEnding = ".mission.json";
+
 /// What the session does with any document, whatever is in it: file, unsaved work, undo and redo.
 class FileDocument {
  public:
@@ -22,7 +25,7 @@ class FileDocument {
   /// File name without its ending, or "untitled".
   std::string name() const;
   std::string_view ending() const { return ending_; }
-  /// The file that saving as `path` writes: adds the ending where the name has no extension.
+  /// The file that saving as `path` writes. It has the kind's ending, whatever is typed: with another one it could not be opened again.
   std::filesystem::path fileFor(const std::filesystem::path& path) const;
 
   /// True if the content differs from what the file holds.

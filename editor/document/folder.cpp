@@ -1,5 +1,7 @@
 #include "editor/document/folder.h"
 
+#include "editor/document/file_document.h"
+
 #include <algorithm>
 #include <system_error>
 #include <tuple>
@@ -18,7 +20,7 @@ FolderListing listFolder(const fs::path& folder) {
     const std::string name = entry->path().filename().string();
     std::error_code ignored;
     const bool is_folder = entry->is_directory(ignored);
-    if (name.starts_with('.') || (!is_folder && !name.ends_with(".npsee.json") && !name.ends_with(".mission.json"))) continue;
+    if (name.starts_with('.') || (!is_folder && !name.ends_with(kPresetEnding) && !name.ends_with(kMissionEnding))) continue;
     if (out.entries.size() == FolderListing::kMaxEntries) {
       out.shortened = true;
       break;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 std::string bareName(const fs::path& file) {
   const std::string name = file.filename().string();
-  for (const std::string_view ending : {".npsee.json", ".mission.json"})
+  for (const std::string_view ending : {kPresetEnding, kMissionEnding})
     if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
   return file.stem().string();
 }
@@ -39,8 +39,9 @@ const LibraryEntry& Library::entry(const fs::path& file) {
 std::vector<LibraryEntry> Library::folder(const fs::path& folder, std::string_view ending) {
   std::vector<LibraryEntry> out;
   if (folder.empty()) return out;
-  for (const FolderListing::Entry& listed : listFolder(folder).entries)
-    if (!listed.folder && listed.name.ends_with(ending)) out.push_back(entry(fs::absolute(folder).lexically_normal() / listed.name));
+  const FolderListing read = listFolder(folder);
+  for (const FolderListing::Entry& listed : read.entries)
+    if (!listed.folder && listed.name.ends_with(ending)) out.push_back(entry(read.folder / listed.name));
   return out;
 }
 

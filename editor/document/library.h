@@ -25,7 +25,7 @@ std::string bareName(const std::filesystem::path& file);
 class Library {
  public:
   const LibraryEntry& entry(const std::filesystem::path& file);
-  /// What a folder holds of one kind of file, by name; nothing of an empty path.
+  /// What a folder holds of one kind of file, by name; nothing of an empty path, or of one that cannot be read.
   std::vector<LibraryEntry> folder(const std::filesystem::path& folder, std::string_view ending);
 
  private:

@@ -29,8 +29,8 @@ Session::Session(SessionOptions options)
 }
 
 void Session::readLibraries() {
-  library_ = files_known_.folder(options_.library, ".npsee.json");
-  missions_ = files_known_.folder(options_.missions, ".mission.json");
+  library_ = files_known_.folder(options_.library, kPresetEnding);
+  missions_ = files_known_.folder(options_.missions, kMissionEnding);
 }
 
 Session::~Session() = default;

@@ -73,8 +73,10 @@ class Session {
   explicit Session(SessionOptions options);
   ~Session();
 
-  WorkMode mode = WorkMode::explosion;
-  bool inMission() const { return mode == WorkMode::mission; }
+  WorkMode mode() const { return mode_; }
+  bool inMission() const { return mode_ == WorkMode::mission; }
+  /// Shows the other document. A drag in the one before is over, and what the file panel asks about is no longer the document shown: it closes.
+  void setMode(WorkMode wanted);
   /// The mission's part; there from the start, empty until one is opened.
   MissionSession& mission() { return *mission_; }
   const MissionSession& mission() const { return *mission_; }
@@ -143,7 +145,7 @@ class Session {
   int recoveries() const { return recoveries_; }
 
   /// True while the mode's file holds something else than was read from it, and the document has unsaved work. Without any it is read again.
-  bool outside() const { return outside_[static_cast<std::size_t>(mode)]; }
+  bool outside() const { return outside_[static_cast<std::size_t>(mode_)]; }
   /// What was asked: read it again, or keep the document as it is and save over the file.
   void reloadFile();
   void keepOwn();
@@ -188,8 +190,8 @@ class Session {
   /// "name *" as the window's title shows it.
   std::string title() const;
   /// The mode's document, whichever it is.
-  const FileDocument& file() const { return fileOf(mode); }
-  FileDocument& file() { return const_cast<FileDocument&>(fileOf(mode)); }
+  const FileDocument& file() const { return fileOf(mode_); }
+  FileDocument& file() { return const_cast<FileDocument&>(fileOf(mode_)); }
 
  private:
   void begin(Intent intent, std::filesystem::path path = {});
@@ -216,6 +218,7 @@ class Session {
   void showSolo();
 
   SessionOptions options_;
+  WorkMode mode_ = WorkMode::explosion;
   Compiler compiler_;
   std::shared_ptr<const Explosion> explosion_;
   Frame frame_;

@@ -9,6 +9,13 @@ namespace npsee::editor {
 
 namespace fs = std::filesystem;
 
+void Session::setMode(WorkMode wanted) {
+  if (wanted == mode_) return;
+  endMerge();
+  closeFiles();
+  mode_ = wanted;
+}
+
 void Session::startNew() { begin(Intent::start_new); }
 void Session::open(const fs::path& path) { begin(Intent::open, path); }
 void Session::quit() { begin(Intent::quit); }
@@ -30,7 +37,7 @@ void Session::begin(Intent intent, fs::path path) {
 
 /// The mode whose unsaved work would be lost and is not yet given up.
 std::optional<WorkMode> Session::endangered() const {
-  const WorkMode replaced = intent_ == Intent::recover ? intent_work_.mode : intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode;
+  const WorkMode replaced = intent_ == Intent::recover ? intent_work_.mode : intent_ == Intent::open ? (isMissionFile(intent_path_) ? WorkMode::mission : WorkMode::explosion) : mode_;
   for (const WorkMode which : {WorkMode::explosion, WorkMode::mission}) {
     if (intent_ == Intent::none || given_up_[static_cast<std::size_t>(which)] || (intent_ != Intent::quit && which != replaced)) continue;
     if (fileOf(which).dirty()) return which;
@@ -40,7 +47,7 @@ std::optional<WorkMode> Session::endangered() const {
 
 /// Asks about what would be lost, shown while it is asked about, or does what was wanted.
 void Session::goOn() {
-  if (const auto which = endangered()) mode = *which;
+  if (const auto which = endangered()) setMode(*which);
   else if (!askingAboutExports() || exports_given_up_) proceed();
 }
 
@@ -53,7 +60,7 @@ void Session::proceed() {
   if (intent == Intent::open) loadNow(intent_path_);
   if (intent == Intent::recover) recoverNow();
   if (intent != Intent::start_new) return;
-  outside_[static_cast<std::size_t>(mode)] = false;
+  outside_[static_cast<std::size_t>(mode_)] = false;
   if (inMission()) {
     mission_->startNew();
   } else {
@@ -78,14 +85,14 @@ bool Session::loadNow(const fs::path& path) {
   const bool mission = isMissionFile(path);
   if (!took(mission ? mission_->load(path) : document.load(path))) return false;
   notices = {{}, "Opened " + path.string()};
-  mode = mission ? WorkMode::mission : WorkMode::explosion;
+  setMode(mission ? WorkMode::mission : WorkMode::explosion);
   if (!mission) {
     frame_on_compile_ = true;
     playback.time_s = 0.0;
     playback.clearRange();
     forgetDesign();
   }
-  outside_[static_cast<std::size_t>(mode)] = false;
+  outside_[static_cast<std::size_t>(mode_)] = false;
   closeFiles();
   return true;
 }
@@ -96,7 +103,7 @@ std::string UnsavedWork::name() const {
 }
 
 void Session::recoverNow() {
-  mode = intent_work_.mode;
+  setMode(intent_work_.mode);
   std::error_code ignored;
   const bool there = !intent_work_.file.empty() && fs::is_regular_file(intent_work_.file, ignored);
   if (!there || !loadNow(intent_work_.file)) {
@@ -112,7 +119,7 @@ void Session::recoverNow() {
 void Session::watchFile(double elapsed_s) {
   constexpr double kEvery_s = 0.5;
   unwatched_s_ += elapsed_s;
-  bool& outside = outside_[static_cast<std::size_t>(mode)];
+  bool& outside = outside_[static_cast<std::size_t>(mode_)];
   if (unwatched_s_ < kEvery_s || outside || intent_ != Intent::none) return;
   unwatched_s_ = 0.0;
   if (!file().changedOutside()) return;
@@ -140,12 +147,12 @@ void Session::watchFile(double elapsed_s) {
 
 void Session::reloadFile() {
   if (took(file().reload())) notices.note = "Read " + file().path().filename().string() + " again; undo brings back your own work.";
-  outside_[static_cast<std::size_t>(mode)] = false;
+  outside_[static_cast<std::size_t>(mode_)] = false;
 }
 
 void Session::keepOwn() {
   file().keepOwn();
-  outside_[static_cast<std::size_t>(mode)] = false;
+  outside_[static_cast<std::size_t>(mode_)] = false;
 }
 
 void Session::answer(Answer answer) {
@@ -167,8 +174,8 @@ void Session::answer(Answer answer) {
     intent_ = Intent::none;
     return;
   }
+  setMode(*about);
   proceed_after_save_ = true;
-  mode = *about;
   save();
 }
 
@@ -181,7 +188,7 @@ void Session::save() {
   // What another program has written is not overwritten unseen.
   std::error_code ignored;
   if (file().changedOutside() && fs::exists(file().path(), ignored)) {
-    outside_[static_cast<std::size_t>(mode)] = true;
+    outside_[static_cast<std::size_t>(mode_)] = true;
     return;
   }
   if (!took(file().save())) {
@@ -232,7 +239,7 @@ void Session::confirmFiles() {
   }
   if (files.mode == FilePanel::Mode::open) return open(path);
   const fs::path target = file().fileFor(path);
-  outside_[static_cast<std::size_t>(mode)] = false;
+  outside_[static_cast<std::size_t>(mode_)] = false;
   if (fs::exists(target, ignored) && target != file().path() && target != files.replacing) {
     files.replacing = target;
     return;

@@ -19,7 +19,7 @@ using MissionCommands = std::vector<MissionCommand>;
 /// but undone like any edit.
 struct MissionSnapshot {
   using Content = Scenario;
-  static constexpr std::string_view kWhat = "mission", kEnding = ".mission.json";
+  static constexpr std::string_view kWhat = "mission", kEnding = kMissionEnding;
   /// Flat ground and nothing on it.
   static Scenario fresh();
   static Expected<Scenario> read(const std::filesystem::path& path) { return loadScenario(path); }

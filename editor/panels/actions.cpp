@@ -37,8 +37,7 @@ using Mode = FilePanel::Mode;
 constexpr auto kExplosion = WorkMode::explosion;
 
 void changeMode(Ui ui) {
-  ui.session.endMerge();
-  ui.session.mode = ui.session.inMission() ? WorkMode::explosion : WorkMode::mission;
+  ui.session.setMode(ui.session.inMission() ? WorkMode::explosion : WorkMode::mission);
 }
 
 const std::array kCommon{

@@ -17,7 +17,7 @@ struct Action {
   bool (*checked)(const PanelContext&) = nullptr;  ///< null = no check mark
   bool rule_before = false;                        ///< a line above it in the menu
   std::optional<WorkMode> only = {};               ///< the mode it belongs to; none = both
-  bool here(const PanelContext& ui) const { return !only || *only == ui.session.mode; }
+  bool here(const PanelContext& ui) const { return !only || *only == ui.session.mode(); }
 };
 std::span<const Action> actions();
 /// Actions of the mission mode alone; actions() has them too.

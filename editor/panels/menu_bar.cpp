@@ -61,12 +61,9 @@ void drawModes(const PanelContext& ui) {
   for (int i = 0; i < 2; ++i) {
     const auto mode = static_cast<WorkMode>(i);
     ImGui::SetCursorScreenPos({x, y});
-    if (ImGui::InvisibleButton(names[i], ImVec2(widths[i], tall)) && ui.session.mode != mode) {
-      ui.session.endMerge();
-      ui.session.mode = mode;
-    }
+    if (ImGui::InvisibleButton(names[i], ImVec2(widths[i], tall))) ui.session.setMode(mode);
     ui.item(std::string("mode:") + names[i]);
-    const bool on = ui.session.mode == mode;
+    const bool on = ui.session.mode() == mode;
     if (on) list.AddRectFilled({x, y}, {x + widths[i], y + tall}, ui.theme.line, ui.px(4));
     const ImVec2 size = ImGui::CalcTextSize(names[i]);
     list.AddText({std::floor(x + 0.5f * (widths[i] - size.x)), std::floor(y + 0.5f * (tall - size.y))}, on ? ui.theme.accent : ImGui::IsItemHovered() ? ui.theme.text : ui.theme.dim, names[i]);

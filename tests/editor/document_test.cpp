@@ -166,6 +166,17 @@ TEST(Document, SavesOpensAndKnowsWhatIsUnsaved) {
   EXPECT_FALSE(other.history().canUndo());
 }
 
+TEST(Document, ANameWithADotGetsTheEnding) {
+  const test::TemporaryFolder folder;
+  Document document;
+  for (const auto& [typed, file] : {std::pair("burst 1.5", "burst 1.5.npsee.json"), {"x.mission.json", "x.npsee.json"}, {"plain.json", "plain.npsee.json"}, {"kept.npsee.json", "kept.npsee.json"}, {".json", ".json.npsee.json"}}) {
+    ASSERT_TRUE(document.saveAs(folder / typed).has_value()) << typed;
+    EXPECT_EQ(document.path().filename(), file);
+    EXPECT_TRUE(std::filesystem::exists(folder / file));
+  }
+  EXPECT_FALSE(document.saveAs(folder / "").has_value()) << "a folder is no name";
+}
+
 TEST(Document, AFailedSaveOrLoadLosesNothing) {
   const test::TemporaryFolder folder;
   Document document;

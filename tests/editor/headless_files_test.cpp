@@ -51,6 +51,24 @@ expect window.title = other
   EXPECT_EQ(loadPreset(in("other.npsee.json"))->layers.at(0).speed_mean_mps, 64.0);
 }
 
+TEST_F(EditorScript, SaveAsClosesWhenTheOtherModesDocumentIsShown) {
+  test::spill(in("other.npsee.json"), "{\"npsee\": 1}");
+  passes(R"(key ctrl+shift+S
+click "field:file name"
+key ctrl+A
+type other
+key Enter
+expect files = save as
+click mode:Mission
+expect files = closed
+click mode:Explosion
+key ctrl+shift+S
+key F6
+expect files = closed
+)");
+  EXPECT_EQ(test::slurp(in("other.npsee.json")), "{\"npsee\": 1}");
+}
+
 TEST_F(EditorScript, EscapeClosesMenusAndTheLibraryOpensPresets) {
   passes(R"(click menu:File
 expect visible item:Open

@@ -1,4 +1,6 @@
+#include "editor/document/session.h"
 #include "editor/mission/document.h"
+#include "editor/mission/session.h"
 #include "tests/support/process.h"
 #include "tests/support/small_mission.h"
 
@@ -135,6 +137,18 @@ TEST_F(MissionDocuments, SavingElsewhereTakesTheFilesAlongThatTheMissionNames) {
   EXPECT_FALSE(document.dirty());
   EXPECT_EQ(document.name(), "copy");
   EXPECT_TRUE(loadScenario(document.path()).has_value());
+}
+
+TEST_F(MissionDocuments, ANameWithADotGetsTheEndingAndIsOpenedAgain) {
+  for (const auto& [typed, name] : {std::pair("attack 1.5", "attack 1.5"), {"defence.json", "defence"}, {"both.npsee.json", "both"}}) {
+    ASSERT_TRUE(document.saveAs(folder_ / typed).has_value()) << typed;
+    EXPECT_EQ(document.name(), name);
+    Session session({.library = {}, .wait_for_compile = true});
+    session.open(document.path());
+    EXPECT_EQ(session.notices.error, "");
+    EXPECT_TRUE(session.inMission());
+    EXPECT_EQ(session.mission().document.scenario().title, document.scenario().title);
+  }
 }
 
 TEST_F(MissionDocuments, ABrokenFileIsAMessageAndTheDocumentStays) {
