@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <system_error>
 
 namespace npsee::render {
 namespace {
@@ -252,8 +253,10 @@ Expected<MissionView> missionView(const MissionRender& render, const Recording& 
   }
   for (Vec3* place : {&camera.target, &camera.eye})
     if (std::isnan(place->y)) place->y = recording.terrain.surface(place->x, place->z) + (place == &camera.eye ? 2.0 : 0.0);
+  std::error_code gone;  // then the name is looked up as it is
+  const std::filesystem::path here = std::filesystem::current_path(gone);
   for (const auto& [number, name] : render.presets) {
-    auto preset = PresetShelf::lookUp(name, std::filesystem::current_path());
+    auto preset = PresetShelf::lookUp(name, here);
     if (!preset && preset.error().kind != ErrorKind::usage) return tl::unexpected<Error>(preset.error());
     if (!preset) return refused(render.text, preset.error().faults.front().what, preset.error().faults.front().remedy);
     out.presets[number] = std::move(*preset);

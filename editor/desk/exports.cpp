@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
-#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -92,13 +90,11 @@ std::optional<std::vector<std::string>> settingsBetween(const Preset& from, cons
 }
 
 Exports::~Exports() {
-  std::error_code ignored;
   for (auto& work : works_) {
     if (!work) continue;
     // Asked, not killed: half a video is tidied up.
     work->child.cancel();
     work->child.wait();
-    fs::remove_all(work->folder, ignored);
   }
 }
 
@@ -109,25 +105,18 @@ Expected<void> Exports::start(const Preset& preset, const ExportChoice& choice, 
   if (choice.output.filename().empty()) return fail(ErrorKind::usage, "The name of the file to export is missing.", "Write one.");
   if (std::ranges::any_of(jobs_, [&](const Job& job) { return job.state == Job::State::running && job.output == choice.output; }))
     return fail(ErrorKind::usage, choice.output.string() + " is being exported already.", "Wait for it, cancel it, or choose another name.");
-  std::string folder = (fs::temp_directory_path() / "npsee-export-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) return fail(ErrorKind::output, "No temporary folder can be made in " + fs::temp_directory_path().string() + ".", "Make room there.");
-  const fs::path copy = fs::path(folder) / "preset.npsee.json";
-  std::error_code ignored;
+  auto folder = WorkFolder::make();
+  if (!folder) return tl::unexpected<Error>(std::move(folder.error()));
+  const fs::path copy = folder->path() / ("preset" + std::string(kPresetEnding));
   auto saved = savePreset(preset, copy);
-  if (saved) saved = bringModels(preset, folder);
-  if (!saved) {
-    fs::remove_all(folder, ignored);
-    return saved;
-  }
+  if (saved) saved = bringModels(preset, folder->path());
+  if (!saved) return saved;
   std::vector<std::string> arguments = renderArguments(copy, {}, choice, view);
   arguments.insert(arguments.end(), {"--progress", "steps"});
   auto child = Child::start(program_, arguments);
-  if (!child) {
-    fs::remove_all(folder, ignored);
-    return tl::unexpected<Error>(child.error());
-  }
+  if (!child) return tl::unexpected<Error>(std::move(child.error()));
   jobs_.push_back({std::string(exportName(choice.kind)) + ' ' + choice.output.filename().string(), choice.output, Job::State::running, 0, 0, {}});
-  works_.emplace_back(Work{std::move(*child), folder, false});
+  works_.emplace_back(Work{std::move(*child), std::move(*folder)});
   return {};
 }
 
@@ -146,8 +135,6 @@ void Exports::clearFinished() {
 }
 
 void Exports::finish(Job& job, Work& work) {
-  std::error_code ignored;
-  fs::remove_all(work.folder, ignored);
   job.state = work.cancelled ? Job::State::cancelled : work.child.exitCode() == 0 ? Job::State::done : Job::State::failed;
   if (job.state != Job::State::failed) return;
   job.message = messageIn(work.child.err());

@@ -2,6 +2,7 @@
 
 #include "app/render/camera.h"
 #include "editor/desk/child.h"
+#include "editor/desk/work_folder.h"
 
 #include <npsee/preset.h>
 
@@ -80,7 +81,7 @@ class Exports {
  private:
   struct Work {
     Child child;
-    std::filesystem::path folder;  ///< of the copy
+    WorkFolder folder;             ///< of the copy
     bool cancelled = false;
     std::size_t read = 0;          ///< of what it has said
   };

@@ -32,6 +32,16 @@ TEST_F(EditorScript, BadScriptsExitThreeWithFileLineAndTheNearestName) {
   }
 }
 
+TEST(EditCommand, AWorkingFolderThatIsGoneEndsNothingUnasked) {
+  const test::TemporaryFolder folder;
+  const std::string there = "mkdir " + (folder / "gone") + " && cd " + (folder / "gone") + " && rmdir ../gone && " + test::npseePath();
+  EXPECT_EQ(test::run("/bin/sh", {"-c", there + " edit --headless --screenshot " + (folder / "a.png")}).exit_code, 0);
+  const std::string mission = std::string(NPSEE_SOURCE_DIR) + "/assets/missions/thesis_default.mission.json";
+  const auto refused = test::run("/bin/sh", {"-c", there + " mission " + mission + " --quiet --render t=1,size=64x36,preset=nope -o " + (folder / "b.png")});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("there is no explosion preset \"nope\""), std::string::npos) << refused.err;
+}
+
 TEST(EditCommand, BadOptionsExitTwoAndSayHowToMendThem) {
   const struct { std::vector<std::string> arguments; const char* message; } cases[] = {
       {{"edit", "--headless", "--screenshot", "x.png", "--size", "10x10"}, "--size 10x10 is not a size of a window."},

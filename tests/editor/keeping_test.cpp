@@ -2,11 +2,13 @@
 
 #include "editor/desk/recovery.h"
 #include "editor/desk/settings.h"
+#include "editor/desk/work_folder.h"
 #include "editor/document/library.h"
 #include "editor/document/shelf.h"
 #include "editor/document/statistics.h"
 #include "tests/editor/desk_script.h"
 #include "tests/support/models.h"
+#include "tests/support/running.h"
 #include "tests/support/scene.h"
 
 #include <npsee/preset.h>
@@ -14,7 +16,9 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <sys/resource.h>
 
 namespace npsee {
@@ -254,6 +258,61 @@ TEST_F(OwnModel, QuittingWhileAnExportIsAtWorkAsks) {
                  "key ctrl+Q\nkey ctrl+Delete\nexpect quitting = no\nkey Delete\nexpect quitting = no\nkey ctrl+Z\nhover strip:question\nkey Delete\nexpect quitting = yes\n");
   passes("set time 0.2\n" + exported("small.png") + "click button:export\nkey ctrl+Q\nkey Enter\nsettle\nwait 3\nexpect quitting = yes\nexpect exporting = 0\n");
   EXPECT_TRUE(fs::exists(folder_ / "out/small.png"));
+}
+
+TEST_F(OwnModel, WithoutAFolderForTemporaryFilesAnExportIsRefusedAndEditingGoesOn) {
+  fs::create_directories(folder_ / "out");
+  auto environment = this->environment();
+  environment["TMPDIR"] = folder_ / "no such";
+  const auto result = test::npseeRun(arguments("click \"button:tour skip\"\nset time 0.2\n" + exported("a.png") + "click button:export\nexpect exports = 0\nexpect error contains TMPDIR\nexpect error contains \"no such\"\nset fragments.speed_mean 61\nkey ctrl+S\nexpect dirty = no\n", preset()), environment);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+std::size_t foldersIn(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
+
+TEST_F(OwnModel, WhatAKilledEditorLeavesOfAnExportGoesWithTheNext) {
+  fs::create_directories(folder_ / "out");
+  fs::create_directories(folder_ / "tmp");
+  auto environment = this->environment();
+  environment["TMPDIR"] = folder_ / "tmp";
+  const std::string skip = "click \"button:tour skip\"\n", large = exported("large_%04d.png", "click menu:Export\nclick \"item:Export sequence\"\n", "1920x1080, 60 fps") + "click button:export\nexpect exporting = 1\n";
+  test::Running killed(test::npseePath(), arguments(skip + large + "print exporting\nwait 36000\n", preset()), environment);
+  EXPECT_EQ(killed.readLines(1), "exporting=1\n");
+  EXPECT_EQ(foldersIn(folder_ / "tmp"), 1u);
+  killed.kill();
+  EXPECT_EQ(foldersIn(folder_ / "tmp"), 1u) << "nobody could tidy up";
+  const auto next = test::npseeRun(arguments("set time 0.2\n" + exported("small.png") + "click button:export\nsettle\nexpect error =\n", preset()), environment);
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_EQ(foldersIn(folder_ / "tmp"), 0u);
+}
+
+TEST(WorkFolder, IsKeptWhileItIsUsedAndRemovedAfterwards) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "npsee-export-abcdef/models");
+  test::spill(folder / "npsee-export-abcdef/models/a.obj", "v 0 0 0\n");
+  test::spill(folder / "npsee-export-file", "no folder");
+  fs::create_directory(folder / "another");
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("TMPDIR", folder.path().c_str(), 1);
+  {
+    auto first = editor::WorkFolder::make();
+    ASSERT_TRUE(first.has_value()) << first.error().text();
+    EXPECT_FALSE(fs::exists(folder / "npsee-export-abcdef"));
+    auto second = editor::WorkFolder::make();
+    ASSERT_TRUE(second.has_value());
+    EXPECT_TRUE(fs::is_directory(first->path())) << "it is at work";
+    EXPECT_TRUE(fs::is_directory(second->path()));
+    const editor::WorkFolder moved = std::move(*first);
+    EXPECT_TRUE(fs::is_directory(moved.path()));
+  }
+  EXPECT_EQ(foldersIn(folder.path()), 2u) << "the file and the other folder are somebody else's";
+  ::setenv("TMPDIR", (folder / "no such").c_str(), 1);
+  const auto refused = editor::WorkFolder::make();
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().kind, ErrorKind::output);
+  if (before != nullptr) ::setenv("TMPDIR", kept.c_str(), 1);
+  else ::unsetenv("TMPDIR");
 }
 
 TEST_F(OwnModel, AVideoIsExportedOrItsReasonTold) {
