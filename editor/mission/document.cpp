@@ -1,5 +1,8 @@
 #include "editor/mission/document.h"
 
+#include "sim/core/file_kind.h"
+#include "sim/core/files.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +39,12 @@ Expected<void> takeFilesAlong(const Scenario& scenario, const fs::path& folder) 
 
 }  // namespace
 
-bool isMissionFile(const fs::path& path) { return path.filename().string().ends_with(MissionSnapshot::kEnding); }
+bool isMissionFile(const fs::path& path) {
+  const std::string name = path.filename().string();
+  if (name.ends_with(kMissionEnding) || name.ends_with(kPresetEnding)) return name.ends_with(kMissionEnding);
+  const auto text = readTextFile(path);
+  return text && fileKindOf(*text) == FileKind::mission;
+}
 
 Scenario MissionSnapshot::fresh() {
   Scenario scenario;

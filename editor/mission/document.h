@@ -62,7 +62,7 @@ class MissionDocument : public EditedDocument<MissionSnapshot> {
   Expected<Scenario> broughtTo(const std::filesystem::path& folder) const override;
 };
 
-/// True for a name that the editor opens as a mission.
+/// True for a file that the editor opens as a mission: by its ending, or by what it holds where it has neither kind's.
 bool isMissionFile(const std::filesystem::path& path);
 
 }  // namespace npsee::editor

@@ -42,6 +42,16 @@ TEST(EditCommand, AWorkingFolderThatIsGoneEndsNothingUnasked) {
   EXPECT_NE(refused.err.find("there is no explosion preset \"nope\""), std::string::npos) << refused.err;
 }
 
+TEST(EditCommand, AFileWithNeitherEndingIsOpenedAsWhatItHolds) {
+  const test::TemporaryFolder folder;
+  test::spill(folder / "script.txt", "print mode\nprint dirty\n");
+  for (const auto& [source, mode] : {std::pair{"/assets/missions/ridge_low.mission.json", "mission"}, {"/presets/cascade.npsee.json", "explosion"}}) {
+    test::spill(folder / "attack 1.5", test::slurp(NPSEE_SOURCE_DIR + std::string(source)));
+    const auto opened = test::npseeRun({"edit", folder / "attack 1.5", "--headless", "--script", folder / "script.txt"});
+    EXPECT_EQ(opened.out, "mode=" + std::string(mode) + "\ndirty=no\n") << opened.err;
+  }
+}
+
 TEST(EditCommand, BadOptionsExitTwoAndSayHowToMendThem) {
   const struct { std::vector<std::string> arguments; const char* message; } cases[] = {
       {{"edit", "--headless", "--screenshot", "x.png", "--size", "10x10"}, "--size 10x10 is not a size of a window."},
