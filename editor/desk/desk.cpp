@@ -4,6 +4,8 @@
 #include "sim/core/files.h"
 #include "sim/core/sha256.h"
 
+#include <npsee/fragments.h>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -111,16 +113,18 @@ Expected<std::string> Desk::commandLine(const Document& document, const ExportCh
     words.insert(words.end(), arguments.begin(), arguments.end());
     return shellLine(words);
   };
+  const Preset& preset = document.preset();
   if (!document.path().empty())
-    if (const auto held = loadPreset(document.path()))
-      if (const auto changes = settingsBetween(*held, document.preset())) return line(fs::absolute(document.path(), ignored), *changes);
+    // Models of its own lie beside that file, unless the preset came from another folder.
+    if (const auto held = loadPreset(document.path()); held && (held->folder.path == preset.folder.path || modelFiles(preset).empty()))
+      if (const auto changes = settingsBetween(*held, preset)) return line(fs::absolute(document.path(), ignored), *changes);
   if (folders_.state.empty()) return fail(ErrorKind::usage, "A command line needs a file: these changes cannot be written with --set.", "Save the preset first.");
   const std::string text = document.text();
-  // A folder for each: models of the same name may differ.
-  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text + document.preset().folder.path.string()).substr(0, 12)) / (document.name() + std::string(kPresetEnding));
+  // A folder for each content: models of the same name may differ, and may change.
+  const fs::path copy = folders_.state / "recipes" / (document.name() + '-' + sha256(text + modelTexts(preset)).substr(0, 12)) / (document.name() + std::string(kPresetEnding));
   fs::create_directories(copy.parent_path(), ignored);
   auto written = writeFileAtomically(copy, text);
-  if (written) written = bringModels(document.preset(), copy.parent_path());
+  if (written) written = bringModels(preset, copy.parent_path());
   if (!written) return tl::unexpected<Error>(written.error());
   return line(copy, {});
 }

@@ -5,6 +5,8 @@
 #include "sim/core/files.h"
 #include "sim/core/sha256.h"
 
+#include <npsee/fragments.h>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -23,14 +25,9 @@ bool there(const fs::path& file) {
   return fs::is_regular_file(file, ignored);
 }
 
-/// The bytes of the models that lie beside a preset: they are part of what is seen.
-std::string modelsOf(const std::string& text, const fs::path& file) {
-  std::string out;
-  const auto preset = parsePreset(text, file.string());
-  if (!preset) return out;
-  for (const Layer& layer : preset->layers)
-    if (layer.form == Form::pieces)
-      if (const auto model = readTextFile(file.parent_path() / layer.pieces_model)) out += '\n' + *model;
+std::vector<FileStamp> stampsOf(const std::vector<fs::path>& files) {
+  std::vector<FileStamp> out;
+  for (const fs::path& file : files) out.push_back(stampOf(file));
   return out;
 }
 
@@ -65,21 +62,31 @@ void Thumbnails::prune() const {
 }
 
 fs::path Thumbnails::picture(const fs::path& preset) {
-  const FileStamp stamp = stampOf(preset);
   auto known = known_.find(preset);
-  if (known == known_.end() || known->second.stamp != stamp) known = known_.insert_or_assign(preset, look(preset, stamp)).first;
+  if (known == known_.end() || known->second.stamps != stampsOf(known->second.files)) known = known_.insert_or_assign(preset, look(preset)).first;
   const fs::path& picture = known->second.picture;
   return picture.empty() || !there(picture) ? fs::path() : picture;
 }
 
-Thumbnails::Known Thumbnails::look(const fs::path& preset, const FileStamp& stamp) {
-  auto text = readTextFile(preset);
-  if (!text) return {stamp, {}};
-  if (fs::path shipped = shippedPicture(preset, *text); !shipped.empty()) return {stamp, std::move(shipped)};
-  if (folder_.empty() || program_.empty()) return {stamp, {}};
-  fs::path picture = folder_ / (sha256(*text + modelsOf(*text, preset)) + ".png");
-  if (!there(picture) && asked_.insert(picture).second) wanted_.push_back({std::move(*text), preset.parent_path(), picture});
-  return {stamp, std::move(picture)};
+Thumbnails::Known Thumbnails::look(const fs::path& file) {
+  // Stamps first: what is written meanwhile is noticed later.
+  Known out{{file}, stampsOf({file}), {}};
+  auto text = readTextFile(file);
+  if (!text) return out;
+  out.picture = shippedPicture(file, *text);
+  if (!out.picture.empty() || folder_.empty() || program_.empty()) return out;
+  // Models of its own are part of what is seen.
+  std::string models;
+  if (const auto preset = parsePreset(*text, file.string(), file.parent_path())) {
+    for (const fs::path& model : modelFiles(*preset)) {
+      out.files.push_back(file.parent_path() / model);
+      out.stamps.push_back(stampOf(out.files.back()));
+    }
+    models = modelTexts(*preset);
+  }
+  out.picture = folder_ / (sha256(*text + models) + ".png");
+  if (!there(out.picture) && asked_.insert(out.picture).second) wanted_.push_back({std::move(*text), file.parent_path(), out.picture});
+  return out;
 }
 
 fs::path Thumbnails::workFolder() const {
@@ -94,8 +101,7 @@ void Thumbnails::startNext() {
   fs::create_directories(workFolder(), ignored);
   // The bytes whose fingerprint names the picture, whatever the file holds by now.
   const fs::path recipe = workFolder() / ("preset" + std::string(kPresetEnding));
-  auto preset = parsePreset(now_.text, recipe.string());
-  if (preset) preset->folder.path = now_.folder;
+  const auto preset = parsePreset(now_.text, recipe.string(), now_.folder);
   if (!preset || !writeFileAtomically(recipe, now_.text) || !bringModels(*preset, workFolder())) {
     fs::remove_all(workFolder(), ignored);
     return;

@@ -9,11 +9,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace npsee::editor {
 
 /// Pictures of preset files. Those of shipped presets lie beside them; others are rendered one after the other by a process of their own and
-/// kept in the cache under a fingerprint of the preset's bytes, so that they are right after every change and shared between copies.
+/// kept in the cache under a fingerprint of the preset's bytes and its models', so that they are right after every change and shared between copies.
 class Thumbnails {
  public:
   /// Without a cache or a program only shipped pictures are found.
@@ -27,7 +28,8 @@ class Thumbnails {
 
  private:
   struct Known {
-    FileStamp stamp;
+    std::vector<std::filesystem::path> files;  ///< that the picture is of: the preset's, and those of its models
+    std::vector<FileStamp> stamps;             ///< of each
     std::filesystem::path picture;  ///< where it is, or will be; empty = cannot be had
   };
   struct Job {
@@ -35,7 +37,7 @@ class Thumbnails {
     std::filesystem::path folder;  ///< of its file, where its models lie
     std::filesystem::path picture;
   };
-  Known look(const std::filesystem::path& preset, const FileStamp& stamp);
+  Known look(const std::filesystem::path& file);
   void startNext();
   std::filesystem::path workFolder() const;
   void prune() const;

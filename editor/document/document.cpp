@@ -1,5 +1,7 @@
 #include "editor/document/document.h"
 
+#include <npsee/fragments.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -32,10 +34,10 @@ void Snapshot::settle() { layer = std::clamp(layer, 0, std::max(0, static_cast<i
 
 Expected<void> bringModels(const Preset& preset, const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  for (const Layer& one : preset.layers) {
+  for (const fs::path& file : modelFiles(preset)) {
     std::error_code error;
-    const fs::path from = preset.folder.path / one.pieces_model, target = folder / one.pieces_model;
-    if (one.form != Form::pieces || !fs::is_regular_file(from, error) || fs::exists(target, error)) continue;
+    const fs::path from = preset.folder.path / file, target = folder / file;
+    if (!fs::is_regular_file(from, error) || fs::exists(target, error)) continue;
     fs::create_directories(target.parent_path(), error);
     if (!error) fs::copy_file(from, target, error);
     if (error) return fail(ErrorKind::output, target.string() + ", which the preset names, cannot be written: " + error.message() + ".", "Choose another folder, or copy it there by hand.");
@@ -45,16 +47,9 @@ Expected<void> bringModels(const Preset& preset, const std::filesystem::path& fo
 
 Expected<Preset> Document::broughtTo(const std::filesystem::path& folder) const {
   if (auto brought = bringModels(preset(), folder); !brought) return tl::unexpected<Error>(brought.error());
-  return preset();
-}
-
-Expected<void> Document::saveAs(const std::filesystem::path& path) {
-  auto done = EditedDocument::saveAs(path);
-  if (!done || preset().folder.path == path_.parent_path()) return done;
   Preset moved = preset();
-  moved.folder.path = path_.parent_path();
-  take(with(std::move(moved)));
-  return done;
+  moved.folder.path = folder;
+  return moved;
 }
 
 void Document::select(int layer) {

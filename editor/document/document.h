@@ -21,6 +21,7 @@ struct Snapshot {
   static Expected<Preset> read(const std::filesystem::path& path) { return loadPreset(path); }
   static Expected<void> write(const Preset& preset, const std::filesystem::path& path) { return savePreset(preset, path); }
   static std::string text(const Preset& preset) { return presetText(preset); }
+  static const std::filesystem::path& folderOf(const Preset& preset) { return preset.folder.path; }
   static Expected<Preset> parse(std::string_view text, const std::filesystem::path& path) { return parsePreset(text, path.string(), path.parent_path()); }
 
   std::shared_ptr<const Preset> content;
@@ -31,8 +32,8 @@ struct Snapshot {
 inline bool sameContent(const Snapshot& a, const Snapshot& b) { return a.content == b.content || *a.content == *b.content; }
 using History = BasicHistory<Snapshot>;
 
-/// Puts the models that a preset names beside its file (Preset::folder) into another folder, where it is to be read as well. A file that is
-/// there already stays. Error kind output.
+/// Puts the models that a preset names beside its file (Preset::folder), and their colours, into another folder, where it is to be read as well.
+/// A file that is there already stays. Error kind output.
 Expected<void> bringModels(const Preset& preset, const std::filesystem::path& folder);
 
 /// The preset being edited with its file, selection and history. Knows no window, no GL and no ImGui.
@@ -52,9 +53,6 @@ class Document : public EditedDocument<Snapshot> {
   /// Value of a parameter of the burst or of the selected layer.
   Value value(const Parameter& parameter) const;
 
-  /// Models beside the old file are taken along.
-  Expected<void> saveAs(const std::filesystem::path& path) override;
-
   /// Layers of the list, each one undo step. A new layer is placed after the selected one and selected.
   Expected<void> addLayer();
   Expected<void> duplicateLayer();
@@ -70,6 +68,7 @@ class Document : public EditedDocument<Snapshot> {
   Expected<void> renameLayer(std::string_view name);
 
  protected:
+  /// Models that lay beside the file it was read from are taken along.
   Expected<Preset> broughtTo(const std::filesystem::path& folder) const override;
 };
 

@@ -16,7 +16,7 @@ namespace npsee::editor {
 ///
 /// `State` is a moment of it: a small value with `content`, a shared_ptr<const Content>, and what goes with it, such as what is
 /// selected. It also says how that kind of document is made and filed: types and functions `Content`, `kWhat`, `kEnding`, `fresh()`,
-/// `read(path)`, `write(content, path)`, `text(content)`, `parse(text, path)`, and `settle()`, which makes the rest fit a new content.
+/// `read(path)`, `write(content, path)`, `text(content)`, `parse(text, path)`, `folderOf(content)` (where the files lie that it names), and `settle()`, which makes the rest fit a new content.
 template <class State>
 class EditedDocument : public FileDocument {
  public:
@@ -80,20 +80,12 @@ class EditedDocument : public FileDocument {
   }
   Expected<void> save() override {
     if (path_.empty()) return missingFile();
-    auto done = State::write(content(), path_);
-    if (done) isSaved();
-    return done;
+    return writeTo(path_);
   }
   Expected<void> saveAs(const std::filesystem::path& path) override {
     std::filesystem::path target = fileFor(path);
     if (target.filename().empty()) return missingName();
-    auto moved = broughtTo(target.parent_path());
-    if (!moved) return tl::unexpected<Error>(std::move(moved.error()));
-    if (auto done = State::write(*moved, target); !done) return done;
-    if (*moved != content()) take(with(std::move(*moved)));
-    path_ = std::move(target);
-    isSaved();
-    return {};
+    return writeTo(std::move(target));
   }
 
   bool changedOutside() override {
@@ -150,6 +142,17 @@ class EditedDocument : public FileDocument {
     path_ = std::move(path);
     isSaved();
     history_.clear();
+  }
+  /// The file then holds the content, the document belongs to it, and what the content names lies beside it: what was taken from a document
+  /// of another folder may not have lain there before.
+  Expected<void> writeTo(std::filesystem::path target) {
+    auto moved = broughtTo(target.parent_path());
+    if (!moved) return tl::unexpected<Error>(std::move(moved.error()));
+    if (auto done = State::write(*moved, target); !done) return done;
+    if (*moved != content() || State::folderOf(*moved) != State::folderOf(content())) take(with(std::move(*moved)));
+    path_ = std::move(target);
+    isSaved();
+    return {};
   }
   void isSaved() { isSaved(stampOf(path_)); }
   void isSaved(const FileStamp& stamp) {

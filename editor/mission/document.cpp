@@ -1,5 +1,6 @@
 #include "editor/mission/document.h"
 
+#include "editor/document/document.h"
 #include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 
@@ -24,6 +25,19 @@ std::vector<fs::path> namedFiles(const Scenario& scenario) {
   return out;
 }
 
+/// A battery's own preset may name models beside itself.
+Expected<void> takeModelsAlong(const Scenario& scenario, const fs::path& folder) {
+  std::error_code ignored;
+  for (const BatterySetup& battery : scenario.batteries) {
+    const fs::path file = battery.preset;
+    if (file.empty() || file.is_absolute() || !fs::is_regular_file(scenario.folder / file, ignored)) continue;
+    // One that cannot be read says so where it is shown.
+    if (const auto preset = loadPreset(scenario.folder / file))
+      if (auto brought = bringModels(*preset, (folder / file).parent_path()); !brought) return brought;
+  }
+  return {};
+}
+
 /// A mission names only files in its own folder or below: saved elsewhere, it takes them along. A file that is there already stays.
 Expected<void> takeFilesAlong(const Scenario& scenario, const fs::path& folder) {
   for (const fs::path& file : namedFiles(scenario)) {
@@ -34,7 +48,7 @@ Expected<void> takeFilesAlong(const Scenario& scenario, const fs::path& folder) 
     if (!error) fs::copy_file(scenario.folder / file, target, error);
     if (error) return fail(ErrorKind::output, target.string() + ", which the mission names, cannot be written: " + error.message() + ".", "Choose another folder, or copy it there by hand.");
   }
-  return {};
+  return takeModelsAlong(scenario, folder);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct MissionSnapshot {
   static Expected<Scenario> read(const std::filesystem::path& path) { return loadScenario(path); }
   static Expected<void> write(const Scenario& scenario, const std::filesystem::path& path) { return saveScenario(scenario, path); }
   static std::string text(const Scenario& scenario) { return scenarioText(scenario); }
+  static const std::filesystem::path& folderOf(const Scenario& scenario) { return scenario.folder; }
   static Expected<Scenario> parse(std::string_view text, const std::filesystem::path& path) { return parseScenario(text, path.string(), path.parent_path()); }
 
   std::shared_ptr<const Scenario> content;

@@ -25,17 +25,23 @@ std::string_view textOf(std::string_view file) {
 
 bool namesAFile(const std::string& name) { return name.find_first_of("./\\") != std::string::npos; }
 
-/// The material library that an OBJ names, if it lies beside it; colours only, so that a missing one is no fault.
-std::string materialsBeside(const fs::path& file, std::string_view obj) {
+/// Name of the material library that an OBJ names; empty if none, or none beside it.
+std::string materialFileOf(std::string_view obj) {
   for (std::size_t at = obj.find("mtllib "); at != std::string_view::npos; at = obj.find("mtllib ", at + 1)) {
     if (at > 0 && obj[at - 1] != '\n') continue;
     const std::size_t end = std::min(obj.find('\n', at), obj.size());
     const std::string name(trimmed(obj.substr(at + 7, end - at - 7)));
     if (name.empty() || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos || name == "..") return {};
-    auto text = readTextFile(file.parent_path() / name, kMaxMaterialFile);
-    return text ? std::move(*text) : std::string();
+    return name;
   }
   return {};
+}
+
+/// The material library that an OBJ names, if it lies beside it; colours only, so that a missing one is no fault.
+std::string materialsBeside(const fs::path& file, std::string_view obj) {
+  const std::string name = materialFileOf(obj);
+  auto text = name.empty() ? std::string() : readTextFile(file.parent_path() / name, kMaxMaterialFile);
+  return text ? std::move(*text) : std::string();
 }
 
 Expected<SolidModel> fromFile(const std::string& name, const fs::path& folder) {
@@ -79,13 +85,25 @@ Expected<SolidModel> findSolidModel(const std::string& name, const fs::path& fol
   return parseSolidModel(textOf(name + std::string(kEnding)), textOf("palette.mtl"), name);
 }
 
-std::string modelTexts(const Preset& preset) {
-  std::string out;
+std::vector<fs::path> modelFiles(const Preset& preset) {
+  std::vector<fs::path> out;
+  const auto add = [&out](fs::path file) {
+    if (std::ranges::find(out, file) == out.end()) out.push_back(std::move(file));
+  };
   for (const Layer& layer : preset.layers) {
     if (layer.form != Form::pieces || !namesAFile(layer.pieces_model) || !wrongModelName(layer.pieces_model).empty()) continue;
-    const fs::path path = preset.folder.path / layer.pieces_model;
-    if (const auto text = readTextFile(path, kMaxModelFile)) out += *text + materialsBeside(path, *text);
+    const fs::path model = layer.pieces_model;
+    add(model);
+    const auto text = readTextFile(preset.folder.path / model, kMaxModelFile);
+    if (const std::string materials = text ? materialFileOf(*text) : std::string(); !materials.empty()) add(model.parent_path() / materials);
   }
+  return out;
+}
+
+std::string modelTexts(const Preset& preset) {
+  std::string out;
+  for (const fs::path& file : modelFiles(preset))
+    if (const auto text = readTextFile(preset.folder.path / file, kMaxModelFile)) out += *text;
   return out;
 }
 

@@ -1,4 +1,5 @@
-#include "editor/document/document.h"
+#include "editor/document/session.h"
+#include "tests/support/models.h"
 #include "tests/support/process.h"
 
 #include <gtest/gtest.h>
@@ -198,14 +199,55 @@ TEST(Document, SavedElsewhereItTakesTheModelsBesideItAlong) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "from/models");
   std::filesystem::create_directories(folder / "to");
-  test::spill(folder / "from/models/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  test::spill(folder / "from/models/a.mtl", "newmtl red\nKd 1 0 0\n");
+  test::spill(folder / "from/models/a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   test::spill(folder / "from/whole.npsee.json", R"({"npsee": 1, "layers": [{"name": "whole", "count": 4, "form": "pieces", "pieces": {"model": "models/a.obj"}}]})");
   Document document;
   ASSERT_TRUE(document.load(folder / "from/whole.npsee.json").has_value());
   ASSERT_TRUE(document.saveAs(folder / "to/whole").has_value());
   EXPECT_EQ(test::slurp(folder / "to/models/a.obj"), test::slurp(folder / "from/models/a.obj"));
+  EXPECT_EQ(test::slurp(folder / "to/models/a.mtl"), test::slurp(folder / "from/models/a.mtl"));
   EXPECT_EQ(document.preset().folder.path, std::filesystem::path(folder / "to"));
   EXPECT_FALSE(document.dirty());
+}
+
+TEST(Document, SavingAfterSwapTakesTheModelAlong) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a");
+  std::filesystem::create_directories(folder / "b");
+  test::spill(folder / "b/own.obj", test::boxObj({-1, 0, -1}, {1, 2, 1}));
+  test::spill(folder / "b/y.npsee.json", R"({"npsee": 1, "layers": [{"name": "whole", "count": 4, "form": "pieces", "pieces": {"model": "own.obj"}}]})");
+  Session session({.library = {}, .wait_for_compile = true});
+  ASSERT_TRUE(session.document.saveAs(folder / "a/x").has_value());
+  const std::filesystem::path file = session.document.path();
+  session.compareWithFile(folder / "b/y.npsee.json");
+  session.swapCompared();
+  session.save();
+  EXPECT_EQ(session.notices.error, "");
+  EXPECT_FALSE(session.document.dirty());
+  EXPECT_EQ(session.document.preset().folder.path, std::filesystem::path(folder / "a"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "a/own.obj"));
+  Session again({.library = {}, .wait_for_compile = true});
+  again.open(file);
+  again.update(0.0);
+  EXPECT_EQ(again.notices.error, "");
+  ASSERT_NE(again.explosion(), nullptr);
+  EXPECT_EQ(again.explosion()->particleCount(), 4u);
+}
+
+TEST(Document, UndonePastSaveAsAndSavedItTakesTheFormerModelAlong) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) std::filesystem::create_directories(folder / name);
+  for (const char* name : {"a/one.obj", "a/two.obj"}) test::spill(folder / name, test::boxObj({-1, 0, -1}, {1, 2, 1}));
+  test::spill(folder / "a/x.npsee.json", R"({"npsee": 1, "layers": [{"name": "whole", "count": 4, "form": "pieces", "pieces": {"model": "one.obj"}}]})");
+  Document document;
+  ASSERT_TRUE(document.load(folder / "a/x.npsee.json").has_value());
+  ASSERT_TRUE(document.assign(*findParameter(Scope::layer, "pieces.model"), std::string("two.obj")).has_value());
+  ASSERT_TRUE(document.saveAs(folder / "b/x").has_value());
+  EXPECT_FALSE(std::filesystem::exists(folder / "b/one.obj"));
+  ASSERT_TRUE(document.undo());
+  ASSERT_TRUE(document.save().has_value());
+  EXPECT_TRUE(std::filesystem::exists(folder / "b/one.obj"));
 }
 
 }  // namespace

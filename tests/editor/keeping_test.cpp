@@ -2,6 +2,7 @@
 
 #include "editor/desk/recovery.h"
 #include "editor/desk/settings.h"
+#include "editor/desk/thumbnails.h"
 #include "editor/desk/work_folder.h"
 #include "editor/document/library.h"
 #include "editor/document/shelf.h"
@@ -228,6 +229,55 @@ TEST_F(OwnModel, GoesWithExportsCommandLinesAndThumbnails) {
     ++pictures;
   }
   EXPECT_EQ(pictures, 1u);
+}
+
+TEST_F(OwnModel, GoesWithItsColoursAndAsItIsNow) {
+  const std::string file = withModel();
+  const auto paint = [&](const std::string& colour) {
+    test::spill(folder_ / "made/box.mtl", "newmtl red\nKd " + colour + "\n");
+    test::spill(folder_ / "made/box.obj", "mtllib box.mtl\nusemtl red\n" + test::boxObj({-1, 0, -1}, {1, 2, 1}));
+  };
+  const auto copied = [&](const std::string& edit, const std::string& name) {
+    const auto result = start("wait 2\nset time 0.2\nexpect particles = 8\n" + edit + exported(name) + "click button:export\nsettle\nexpect error =\nclick \"button:copy command line\"\nprint clipboard\nkey ctrl+Z\n", file);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const std::size_t line = result.out.rfind("clipboard=npsee ") + 16;
+    return result.out.substr(line, result.out.find('\n', line) - line);
+  };
+  remembers("click \"button:tour skip\"\nwait 70\n");
+  paint("1 0 0");
+  // The line of a preset without changes names the file itself, with everything beside it.
+  const std::string direct = copied("", "a.png"), bytes = test::slurp(folder_ / "out/a.png");
+  EXPECT_NE(direct.find(file), std::string::npos) << direct;
+  ASSERT_FALSE(bytes.empty());
+  fs::remove(folder_ / "out/a.png");
+  EXPECT_EQ(test::run("/bin/sh", {"-c", test::npseePath() + ' ' + direct}).exit_code, 0);
+  EXPECT_TRUE(test::slurp(folder_ / "out/a.png") == bytes) << "an export has the colours";
+  const std::string red = copied("click \"button:add layer\"\n", "b.png");
+  paint("0 0 1");
+  const std::string blue = copied("click \"button:add layer\"\n", "c.png");
+  const auto recipe = [](const std::string& line) { return line.substr(0, line.find(".npsee.json")); };
+  EXPECT_NE(recipe(red), recipe(blue)) << "other models, another recipe";
+  EXPECT_FALSE(test::slurp(folder_ / "out/b.png") == test::slurp(folder_ / "out/c.png"));
+  std::size_t libraries = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "state/npsee/recipes")) libraries += entry.path().filename() == "box.mtl";
+  EXPECT_EQ(libraries, 2u);
+}
+
+TEST_F(OwnModel, HasAnotherThumbnailAfterAChangeOfItsColoursAlone) {
+  const std::string file = withModel();
+  test::spill(folder_ / "made/box.obj", "mtllib box.mtl\nusemtl red\n" + test::boxObj({-1, 0, -1}, {1, 2, 1}));
+  editor::Thumbnails thumbnails(folder_ / "cache", test::npseePath());
+  const auto picture = [&](const std::string& colour) {
+    test::spill(folder_ / "made/box.mtl", "newmtl red\nKd " + colour + "\n");
+    thumbnails.picture(file);
+    thumbnails.update(true);
+    return thumbnails.picture(file);
+  };
+  const fs::path grey = thumbnails.picture(file), red = picture("1 0 0"), blue = picture("0 0 1.0");
+  ASSERT_FALSE(red.empty());
+  ASSERT_FALSE(blue.empty());
+  EXPECT_NE(red, blue);
+  EXPECT_FALSE(test::slurp(red.string()) == test::slurp(blue.string()));
 }
 
 TEST_F(OwnModel, IsFoundWhenUnsavedWorkIsBroughtBackAndSavedElsewhere) {

@@ -1,6 +1,7 @@
 #include "editor/document/session.h"
 #include "editor/mission/document.h"
 #include "editor/mission/session.h"
+#include "tests/support/models.h"
 #include "tests/support/process.h"
 #include "tests/support/small_mission.h"
 
@@ -137,6 +138,17 @@ TEST_F(MissionDocuments, SavingElsewhereTakesTheFilesAlongThatTheMissionNames) {
   EXPECT_FALSE(document.dirty());
   EXPECT_EQ(document.name(), "copy");
   EXPECT_TRUE(loadScenario(document.path()).has_value());
+}
+
+TEST_F(MissionDocuments, SavingElsewhereTakesTheModelsOfABatterysOwnPresetAlong) {
+  std::filesystem::create_directories(folder_ / "bursts");
+  std::filesystem::create_directories(folder_ / "below");
+  test::spill(folder_ / "bursts/own.npsee.json", R"({"npsee": 1, "layers": [{"name": "whole", "count": 4, "form": "pieces", "pieces": {"model": "box.obj"}}]})");
+  test::spill(folder_ / "bursts/box.obj", "mtllib box.mtl\n" + test::boxObj({-1, 0, -1}, {1, 2, 1}));
+  test::spill(folder_ / "bursts/box.mtl", "newmtl red\nKd 1 0 0\n");
+  ASSERT_TRUE(document.edit("Preset", {}, [](Scenario& s) { s.batteries[0].preset = "bursts/own.npsee.json"; }).has_value());
+  ASSERT_TRUE(document.saveAs(folder_ / "below/copy").has_value());
+  for (const char* name : {"below/bursts/own.npsee.json", "below/bursts/box.obj", "below/bursts/box.mtl"}) EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
 }
 
 TEST_F(MissionDocuments, ANameWithADotGetsTheEndingAndIsOpenedAgain) {

@@ -74,6 +74,10 @@ Expected<SolidModel> parseSolidModel(std::string_view obj, std::string_view mtl,
 /// The model a preset names: a shipped one ("tank"), or an OBJ file relative to `folder`, in it or below. Error kind input.
 Expected<SolidModel> findSolidModel(const std::string& name, const std::filesystem::path& folder);
 
+/// The files beside a preset (Preset::folder) that its models are made of: each OBJ that it names, and the material library that this one names.
+/// Relative to that folder, each once; they may be missing. None where its models are shipped.
+std::vector<std::filesystem::path> modelFiles(const Preset& preset);
+
 /// Text of all model files that a preset names, with their materials; empty where its models are shipped. What cannot be read is left out.
 std::string modelTexts(const Preset& preset);
 
