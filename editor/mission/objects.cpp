@@ -236,7 +236,14 @@ std::optional<ObjectRef> duplicate(Scenario& scenario, const ObjectRef& ref) {
   switch (ref.kind) {
     case Kind::vehicle: copy(scenario.vehicles, *static_cast<VehicleSetup*>(object)); break;
     case Kind::group: copy(scenario.groups, *static_cast<VehicleGroup*>(object)); break;
-    case Kind::observer: copy(scenario.observers, *static_cast<ObserverSetup*>(object)); break;
+    case Kind::observer: {
+      // The copy stands on his own feet: moving him aside aboard would move the vehicle.
+      ObserverSetup one = *static_cast<ObserverSetup*>(object);
+      one.at = placeOf(scenario, ref).value_or(one.at);
+      one.vehicle.clear();
+      copy(scenario.observers, std::move(one));
+      break;
+    }
     case Kind::gun: {
       BatterySetup* battery = nullptr;
       const GunSetup gun = *findGun(scenario, ref.id, &battery);

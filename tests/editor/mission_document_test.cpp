@@ -98,6 +98,17 @@ TEST_F(MissionDocuments, AddedThingsGetFreeNamesAndAreSelected) {
   EXPECT_TRUE(validate(document.scenario()).empty());
 }
 
+TEST_F(MissionDocuments, DuplicatingAnObserverLeavesHisVehicleWhereItIs) {
+  ASSERT_TRUE(document.edit("Carry", {}, [](Scenario& s) { s.observers[0].vehicle = addVehicle(s, 8, {5400.0, 5250.0}).id; }).has_value());
+  const std::string carrier = document.scenario().observers[0].vehicle;
+  document.select({Kind::observer, "fo1"});
+  ASSERT_TRUE(document.duplicateSelected().has_value());
+  EXPECT_EQ(at({Kind::vehicle, carrier}), (Place{5400.0, 5250.0}));
+  EXPECT_EQ(document.scenario().observers[0].vehicle, carrier);
+  EXPECT_TRUE(document.scenario().observers[1].vehicle.empty());
+  EXPECT_EQ(at(document.selected()), (Place{5430.0, 5280.0})) << "beside him";
+}
+
 TEST_F(MissionDocuments, RemovingTakesTheNameOutOfWhatNamedIt) {
   ASSERT_TRUE(document.edit("Carry", {}, [](Scenario& s) { s.observers[0].vehicle = addVehicle(s, 8, {5400.0, 5250.0}).id; }).has_value());
   const std::string carrier = document.scenario().observers[0].vehicle;
