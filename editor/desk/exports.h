@@ -47,7 +47,7 @@ std::vector<std::string> renderArguments(const std::filesystem::path& preset, co
 std::optional<std::vector<std::string>> settingsBetween(const Preset& from, const Preset& to);
 
 /// Exports at work and finished ones. Each runs `npsee render` in a process of its own, on a copy of the preset as it is, so that editing goes
-/// on and what is exported is what was seen.
+/// on beside it. Layers shown alone are a matter of looking: all that are switched on are exported.
 class Exports {
  public:
   explicit Exports(std::filesystem::path program) : program_(std::move(program)) {}

@@ -35,7 +35,7 @@ struct DeskUi {
   struct Export {
     ExportChoice choice;
     std::string folder, file;  ///< as typed
-    std::string file_of;       ///< kind and document that the file name was made for
+    std::string proposed_folder, proposed_file;  ///< what stands there if nobody types
     std::string size;          ///< as typed; empty = that of the choice
     std::string wrong;         ///< about what was typed
     std::string replacing;     ///< a file that would be overwritten; the button then says so and asks once more

@@ -187,6 +187,24 @@ TEST_F(DeskScript, ExportsOfEveryKindAreMadeBesideTheEditing) {
   for (const char* name : {"work_sheet.png", "work_sprites.png", "work_sprites.json"}) EXPECT_TRUE(std::filesystem::exists(folder_ / ("out/" + std::string(name)))) << name;
 }
 
+TEST_F(DeskScript, WhatWasWrittenForAnExportStaysAndWhatWasProposedFollows) {
+  const std::string air = std::string(NPSEE_SOURCE_DIR) + "/presets/air_burst.npsee.json", copy = "click \"button:copy command line\"\n";
+  std::filesystem::create_directories(folder_ / "other");
+  std::filesystem::copy_file(air, folder_ / "other/air.npsee.json");
+  const std::string to = "expect clipboard contains \"-o " + folder_.path();
+  passes("key ctrl+E\n" + copy + to + "/work.png\"\n"
+         "click choice:export\nclick choice:export=video\n" + copy + to + "/work.mp4\"\nexpect clipboard contains \"--fps 30 \"\n"
+         "click \"field:export size\"\nkey ctrl+A\ntype 640x360, 29.97 fps\nkey Enter\n"
+         "drop " + (folder_ / "other/air.npsee.json") + "\nexpect window.title = air\n" + copy + to + "/other/air.mp4\"\nexpect clipboard contains \"--fps 29.97 \"\n"
+         "click \"field:export file\"\nkey ctrl+A\ntype take.mp4\nkey Enter\nclick choice:export\nclick choice:export=sequence\n" + copy + to + "/other/take_%04d.png\"\n"
+         "expect clipboard contains \"--fps 29.97 \"\nexpect clipboard contains \"--size 640x360 \"\n"
+         "click \"field:export folder\"\nkey ctrl+A\ntype " + folder_.path() + "/typed\nkey Enter\ndrop " + preset() + "\nexpect window.title = work\n" + copy + to + "/typed/take_%04d.png\"\n");
+}
+
+TEST_F(DeskScript, TheExportSheetSaysThatLayersNotShownAreExportedToo) {
+  passes("click \"button:add layer\"\nkey ctrl+E\nwait 2\nexpect hidden \"export:all layers\"\nclick button:solo:fragments\nexpect solo = 1\nexpect visible \"export:all layers\"\nsave " + in("sheet.png") + "\n");
+}
+
 TEST_F(DeskScript, AnExportIsCancelledAndAFailedOneSaysWhy) {
   std::filesystem::create_directories(folder_ / "out");
   passes("click menu:Export\nclick \"item:Export sequence\"\n" + exportTo(folder_ / "out", "1920x1080, 60 fps") +

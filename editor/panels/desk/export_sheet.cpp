@@ -2,6 +2,7 @@
 
 #include "editor/panels/desk/sheets.h"
 #include "editor/ui/controls.h"
+#include "editor/ui/slider.h"
 
 #include <imgui_stdlib.h>
 
@@ -54,22 +55,24 @@ void field(const PanelContext& ui, const char* name, std::string& text, const ch
   ui.item(std::string("field:") + name);
 }
 
-/// Makes the file's name anew for another kind or document, unless a person has written one.
+/// Makes the name and folder of the file anew for another kind or document, unless a person has written others.
 void proposeFile(const PanelContext& ui) {
   DeskUi::Export& my = ui.state.desk.exports;
-  const std::string of = std::string(exportName(my.choice.kind)) + ' ' + ui.session.document.name();
-  if (my.folder.empty()) {
-    std::error_code ignored;
-    const fs::path& path = ui.session.document.path();
-    my.folder = (path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path()).string();
-  }
-  if (my.file_of == of) return;
-  my.file_of = of;
-  my.file = exportFile(my.choice.kind, ui.session.document.name());
+  const auto propose = [](std::string& text, std::string& proposed, std::string now) {
+    if (text == proposed) text = now;
+    proposed = std::move(now);
+  };
+  std::error_code ignored;
+  const fs::path& path = ui.session.document.path();
+  propose(my.file, my.proposed_file, exportFile(my.choice.kind, ui.session.document.name()));
+  propose(my.folder, my.proposed_folder, (path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path()).string());
 }
 
 void setKind(DeskUi::Export& my, ExportKind kind) {
   const bool was_sheet = isSheet(my.choice.kind);
+  // A written name stays; its ending is the kind's.
+  const std::string ending = exportFile(my.choice.kind, {});
+  if (my.file != my.proposed_file && my.file.ends_with(ending)) my.file = exportFile(kind, my.file.substr(0, my.file.size() - ending.size()));
   my.choice.kind = kind;
   my.size.clear();
   if (kind == ExportKind::sprite_sheet) my.choice.width = my.choice.height = 128, my.choice.columns = my.choice.rows = 8;
@@ -106,7 +109,7 @@ void drawSizes(const PanelContext& ui) {
   if (my.size.empty()) {
     my.size = std::to_string(to.width) + 'x' + std::to_string(to.height);
     if (isSheet(to.kind)) my.size += ", " + std::to_string(to.columns) + 'x' + std::to_string(to.rows);
-    else if (to.kind != ExportKind::picture) my.size += ", " + std::to_string(static_cast<int>(to.fps)) + " fps";
+    else if (to.kind != ExportKind::picture) my.size += ", " + shortNumber(to.fps) + " fps";
   }
   label(ui, isSheet(to.kind) ? "Size of each picture, columns x rows" : to.kind == ExportKind::picture ? "Size in pixels" : "Size in pixels, frames a second");
   field(ui, "export size", my.size, "1280x720");
@@ -216,6 +219,12 @@ void drawExportSheet(const PanelContext& ui) {
   field(ui, "export file", my.file, "name");
   field(ui, "export folder", my.folder, "folder");
   if (!my.wrong.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.error), "%s", my.wrong.c_str());
+  if (!ui.session.design.solo.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.theme.accent), "All layers are exported, not only those shown alone. Switch the others off to leave them out.");
+    ImGui::PopTextWrapPos();
+    ui.item("export:all layers");
+  }
   ImGui::Dummy(ImVec2(1, ui.px(2)));
   ImGui::BeginDisabled(!my.wrong.empty());
   if (my.replacing != firstOutput(choiceOf(ui)).string()) my.replacing.clear();
