@@ -15,6 +15,8 @@ struct Compare {
   Mode mode = Mode::off;
   std::shared_ptr<const Preset> preset;  ///< A
   std::string name;                      ///< what A is, for people
+  std::shared_ptr<const Preset> taken;   ///< what was A until the last swap made it B, and what it was called
+  std::string taken_name;
   double split = 0.5;                    ///< share of the picture's width that shows A
   bool flipped = false;                  ///< Mode::flip shows A
 

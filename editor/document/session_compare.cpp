@@ -21,6 +21,7 @@ void Session::updateCompared() {
 void Session::compareWith(std::shared_ptr<const Preset> preset, std::string name) {
   compare.preset = std::move(preset);
   compare.name = std::move(name);
+  compare.taken = nullptr;
   compare.flipped = false;
   if (compare.mode == Compare::Mode::off) compare.mode = Compare::Mode::split;
 }
@@ -50,7 +51,14 @@ void Session::swapCompared() {
   if (compare.preset == nullptr) return;
   const auto before = document.snapshot();
   const auto other = compare.preset;
-  if (took(document.edit("Swap A and B", {}, [&](Preset& preset) { preset = *other; }))) compare.preset = before;
+  if (took(document.edit("Swap A and B", {}, [&](Preset& preset) { preset = *other; }))) {
+    // Swapped to and fro, without an edit between, the same two names come back.
+    const bool back = compare.taken != nullptr && *compare.taken == *before;
+    std::string name = back ? compare.taken_name : document.name() + ", before the swap";
+    compare.taken_name = std::exchange(compare.name, std::move(name));
+    compare.taken = other;
+    compare.preset = before;
+  }
 }
 
 void Session::showVariations() {

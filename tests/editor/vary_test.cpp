@@ -271,7 +271,13 @@ TEST(Compare, SwappingIsOneUndoStepAndSwapsBack) {
   EXPECT_EQ(session.compare.preset->layers[0].speed_mean_mps, 50.0);
   EXPECT_NE(session.document.layer().speed_mean_mps, 50.0);
   EXPECT_EQ(session.document.history().undoLabel(), "Swap A and B");
+  EXPECT_EQ(session.compare.name, "untitled, before the swap") << "A is the edited preset now";
   session.swapCompared();
+  EXPECT_EQ(session.compare.name, "kept state") << "to and fro, the same names";
+  session.swapCompared();
+  setSpeed(session, 40.0);
+  session.swapCompared();
+  EXPECT_EQ(session.compare.name, "untitled, before the swap") << "it was edited meanwhile, and is what was kept no longer";
   EXPECT_EQ(session.document.layer().speed_mean_mps, 50.0);
 }
 
