@@ -41,7 +41,8 @@ struct FilePanel {
   std::filesystem::path replacing;  ///< another file that would be overwritten; the button then says so and asks once more
 };
 
-/// What the person is told. An error stays until it is dismissed or followed by another; a note goes with the next edit.
+/// What the person is told. An error stays until it is dismissed or followed by another, and one about the
+/// picture until that is right again; a note goes with the next edit.
 struct Notices {
   std::string error;
   std::string note;
@@ -205,7 +206,9 @@ class Session {
   void updateExplosion(double elapsed_s);
   bool loadNow(const std::filesystem::path& path);
   void recoverNow();
-  void forgetDesign();
+  void startNewNow();
+  void beginAnew();
+  void followNames();
   void watchFile(double elapsed_s);
   void takeCompiled();
   void sampleLaunch();
@@ -238,6 +241,8 @@ class Session {
   std::pair<std::shared_ptr<const Preset>, int> probed_{nullptr, -1};  ///< what the probe is of
   Frame launch_;
   std::uint64_t requested_revision_ = 0;
+  std::shared_ptr<const Preset> followed_;  ///< whose layers' names `design` knows
+  std::string compile_error_;  ///< shown while the picture is not that of the preset
   std::pair<std::uint64_t, double> varied_{0, 0.0};  ///< revision and amount that the variations are of
   bool frame_on_compile_ = true;  ///< a new file is put into view, an edit is not
   double aspect_ = 1.6;

@@ -60,19 +60,23 @@ void Session::proceed() {
   if (intent == Intent::open) loadNow(intent_path_);
   if (intent == Intent::recover) recoverNow();
   if (intent != Intent::start_new) return;
-  outside_[static_cast<std::size_t>(mode_)] = false;
-  if (inMission()) {
-    mission_->startNew();
-  } else {
-    document.startNew();
-    frame_on_compile_ = true;
-    forgetDesign();
-  }
+  startNewNow();
   notices = {};
 }
 
-/// What was said about layers of one preset says nothing about another's of the same name.
-void Session::forgetDesign() {
+void Session::startNewNow() {
+  if (inMission()) mission_->startNew();
+  else document.startNew();
+  beginAnew();
+}
+
+/// The mode's document is another one: nothing of what was said about the last is kept. Its layers may even have the same names.
+void Session::beginAnew() {
+  outside_[static_cast<std::size_t>(mode_)] = false;
+  if (inMission()) return;
+  frame_on_compile_ = true;
+  playback.time_s = 0.0;
+  playback.clearRange();
   design.solo.clear();
   design.locked.clear();
   compare.mode = Compare::Mode::off;
@@ -86,13 +90,7 @@ bool Session::loadNow(const fs::path& path) {
   if (!took(mission ? mission_->load(path) : document.load(path))) return false;
   notices = {{}, "Opened " + path.string()};
   setMode(mission ? WorkMode::mission : WorkMode::explosion);
-  if (!mission) {
-    frame_on_compile_ = true;
-    playback.time_s = 0.0;
-    playback.clearRange();
-    forgetDesign();
-  }
-  outside_[static_cast<std::size_t>(mode_)] = false;
+  beginAnew();
   closeFiles();
   return true;
 }
@@ -106,11 +104,7 @@ void Session::recoverNow() {
   setMode(intent_work_.mode);
   std::error_code ignored;
   const bool there = !intent_work_.file.empty() && fs::is_regular_file(intent_work_.file, ignored);
-  if (!there || !loadNow(intent_work_.file)) {
-    if (inMission()) mission_->startNew();
-    else document.startNew();
-    frame_on_compile_ = true;
-  }
+  if (!there || !loadNow(intent_work_.file)) startNewNow();
   if (!took(file().takeText(intent_work_.text, "Unsaved work", intent_work_.file))) return;
   ++recoveries_;
   notices = {{}, "Brought back the unsaved work on " + intent_work_.name()};

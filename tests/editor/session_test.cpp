@@ -102,6 +102,36 @@ TEST(Session, APlayedEffectIsShownOnAGridOfMomentsAndAPausedOneExactly) {
   EXPECT_EQ(session.frame().y, direct.y);
 }
 
+TEST(Session, NewLoopsEverythingFromTheBurst) {
+  Session session(waiting());
+  session.update(0.0);
+  session.playback.seek(0.5);
+  session.playback.beginRange(0.5);
+  session.playback.endRange(1.0);
+  session.design.locked = {"fragments.speed_mean"};
+  session.startNew();
+  EXPECT_FALSE(session.playback.hasRange());
+  EXPECT_EQ(session.playback.time_s, 0.0);
+  EXPECT_TRUE(session.design.locked.empty());
+}
+
+TEST(Session, BroughtBackWorkWithoutAFileBeginsAnew) {
+  Session session(waiting());
+  session.update(0.0);
+  session.playback.seek(0.5);
+  session.playback.beginRange(0.5);
+  session.design.solo = {"fragments"};
+  session.keepForComparing();
+  Document lost;
+  ASSERT_TRUE(lost.addLayer().has_value());
+  session.recover({WorkMode::explosion, {}, lost.text()});
+  EXPECT_EQ(session.document.preset().layers.size(), 2u);
+  EXPECT_FALSE(session.playback.hasRange());
+  EXPECT_EQ(session.playback.time_s, 0.0);
+  EXPECT_TRUE(session.design.solo.empty());
+  EXPECT_FALSE(session.compare.on());
+}
+
 TEST(Session, EditingKeepsTheMomentAndRecompiles) {
   Session session(waiting());
   session.update(0.0);
