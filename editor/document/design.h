@@ -38,7 +38,7 @@ struct Design {
   std::set<std::string> solo;
   bool shows(const std::string& layer) const { return solo.empty() || solo.contains(layer); }
 
-  /// A layer has another name now.
+  /// A layer has another name now. Session sees to it.
   void rename(const std::string& from, const std::string& to);
 };
 

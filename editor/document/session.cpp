@@ -53,6 +53,7 @@ bool Session::moving() const { return inMission() ? mission_->clock.playing || m
 void Session::updateExplosion(double elapsed_s) {
   if (requested_revision_ != document.revision()) {
     requested_revision_ = document.revision();
+    followNames();
     compiler_.request(document.snapshot());
   }
   probeLayer();
@@ -63,6 +64,19 @@ void Session::updateExplosion(double elapsed_s) {
   if (!explosion_) return;
   evaluate();
   sampleLaunch();
+}
+
+/// Locks and layers shown alone go by name. They follow a layer that is named anew, wherever that was done; undo and redo do it too.
+void Session::followNames() {
+  const auto before = std::exchange(followed_, document.snapshot());
+  if (before == nullptr || before->layers.size() != followed_->layers.size()) return;
+  std::size_t changed = 0, which = 0;
+  for (std::size_t i = 0; i < before->layers.size(); ++i)
+    if (before->layers[i].name != followed_->layers[i].name) {
+      ++changed;
+      which = i;
+    }
+  if (changed == 1) design.rename(before->layers[which].name, followed_->layers[which].name);
 }
 
 /// Whether the next frames are evaluated ahead: while the effect is played in a window, on the grid of moments that will be shown.
@@ -166,8 +180,10 @@ void Session::takeCompiled() {
 
 void Session::takeResult(Compiler::Result result) {
   if (result.explosion && !*result.explosion) {
-    notices.error = result.explosion->error().text() + "\n  The picture still shows the last good state.";
+    notices.error = compile_error_ = result.explosion->error().text() + "\n  The picture still shows the last good state.";
   } else if (result.explosion) {
+    if (notices.error == compile_error_) notices.error.clear();
+    compile_error_.clear();
     // The first particles of an empty preset come into view; afterwards the camera belongs to the person.
     if (explosion_ && explosion_->particleCount() == 0) frame_on_compile_ = true;
     explosion_ = std::move(**result.explosion);

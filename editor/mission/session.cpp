@@ -66,11 +66,13 @@ void MissionSession::takeResults(Notices& notices) {
   auto result = runner_.poll(options_.wait_for_simulation ? kForever : kPatience);
   if (!result || result->number != request_number_) return;
   if (!result->recording) {
-    notices.error = result->recording.error().text() + (recording_ ? "\n  The picture still shows the last good mission." : "");
+    notices.error = simulation_error_ = result->recording.error().text() + (recording_ ? "\n  The picture still shows the last good mission." : "");
     return;
   }
   // A simulation on its way replaces the last one when it has come to the moment shown.
   if (!result->complete && recording_ && (*result->recording)->duration_s < std::min(clock.time_s, recording_->duration_s)) return;
+  if (notices.error == simulation_error_) notices.error.clear();
+  simulation_error_.clear();
   accept(std::move(*result->recording));
 }
 

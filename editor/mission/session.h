@@ -138,6 +138,7 @@ class MissionSession {
   std::uint64_t request_number_ = 0;
   std::shared_ptr<const Recording> recording_;
   std::uint64_t recording_number_ = 0, mission_number_ = 0;
+  std::string simulation_error_;  ///< shown while the recording is not that of the mission
   std::vector<Shot> shots_;
   std::vector<ObjectRef> owners_;
   std::vector<double> reach_;

@@ -52,11 +52,7 @@ void toggleLayer(const PanelContext& ui, int index) {
 void nameField(const PanelContext& ui, const Box& box) {
   const auto text = typingField(ui, box);
   if (!text) return;
-  const std::string before = ui.session.document.layer().name;
-  if (ui.session.took(ui.session.document.renameLayer(*text))) {
-    ui.state.typing = {};
-    ui.session.design.rename(before, *text);
-  }
+  if (ui.session.took(ui.session.document.renameLayer(*text))) ui.state.typing = {};
   else refuseTyping(ui, ui.session.notices.error);
 }
 

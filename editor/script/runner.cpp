@@ -167,9 +167,9 @@ Expected<ScriptRunner::Progress> ScriptRunner::set(Editor& editor, const ScriptC
   }
   if (session.inMission()) return setInMission(editor, command);
   int layer = session.document.selected();
-  const Parameter* parameter = parameterNamed(session.document, name, layer);
-  if (parameter == nullptr) return noSuch(editor, command, "parameter", name);
   if (attempts_ == 0) {
+    const Parameter* parameter = parameterNamed(session.document, name, layer);
+    if (parameter == nullptr) return noSuch(editor, command, "parameter", name);
     if (parameter->scope == Scope::layer) session.document.select(layer);
     editor.state().typed[name] = value;
     editor.state().show_right = true;

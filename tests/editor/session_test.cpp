@@ -132,6 +132,25 @@ TEST(Session, BroughtBackWorkWithoutAFileBeginsAnew) {
   EXPECT_FALSE(session.compare.on());
 }
 
+TEST(Session, ThePicturesFaultIsTakenBackWhenItIsRightAgain) {
+  Session session(waiting());
+  session.update(0.0);
+  const auto set = [&](std::string_view key, const Value& value) { ASSERT_TRUE(session.document.assign(*findParameter(Scope::layer, key), value).has_value()); };
+  set("form", std::string("pieces"));
+  set("pieces.model", std::string("nope.obj"));
+  session.update(0.0);
+  EXPECT_NE(session.notices.error.find("nope.obj"), std::string::npos) << session.notices.error;
+  session.undo();
+  session.update(0.0);
+  EXPECT_EQ(session.notices.error, "");
+  session.redo();
+  session.update(0.0);
+  session.notices.error = "Something else went wrong.";
+  session.undo();
+  session.update(0.0);
+  EXPECT_EQ(session.notices.error, "Something else went wrong.") << "that stays until it is dismissed";
+}
+
 TEST(Session, EditingKeepsTheMomentAndRecompiles) {
   Session session(waiting());
   session.update(0.0);

@@ -77,6 +77,31 @@ TEST(Vary, NeverGoesOverTheParticleLimit) {
   for (std::uint64_t draw = 0; draw < 10; ++draw) EXPECT_TRUE(validate(varied(preset, {1.0, draw})).empty());
 }
 
+TEST_F(EditorScript, LocksAndLayersShownAloneFollowEveryRenaming) {
+  passes(R"(click "button:add layer"
+click layer:fragments
+hover row:fragments.speed_mean
+click button:lock:fragments.speed_mean
+click button:solo:fragments
+expect locked = 1
+expect solo = 1
+set fragments.name splinters
+expect solo = 1
+note
+key D
+expect splinters.speed_mean = noted
+expect splinters.ejection_angle != noted
+key ctrl+Z
+key ctrl+Z
+expect layer = fragments
+expect solo = 1
+note
+key D
+expect fragments.speed_mean = noted
+expect fragments.ejection_angle != noted
+)");
+}
+
 TEST(Design, RenamingALayerTakesItsLocksAlong) {
   Design design;
   design.locked = {"a.speed_mean", "ab.speed_mean"};
