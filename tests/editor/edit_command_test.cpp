@@ -45,8 +45,8 @@ TEST(EditCommand, AWorkingFolderThatIsGoneEndsNothingUnasked) {
 TEST(EditCommand, AFileWithNeitherEndingIsOpenedAsWhatItHolds) {
   const test::TemporaryFolder folder;
   test::spill(folder / "script.txt", "print mode\nprint dirty\n");
-  for (const auto& [source, mode] : {std::pair{"/assets/missions/ridge_low.mission.json", "mission"}, {"/presets/cascade.npsee.json", "explosion"}}) {
-    test::spill(folder / "attack 1.5", test::slurp(NPSEE_SOURCE_DIR + std::string(source)));
+  for (const auto& [text, mode] : {std::pair{R"({"npsee_mission": 1})", "mission"}, {R"({"npsee": 1, "layers": [{"name": "a"}]})", "explosion"}}) {
+    test::spill(folder / "attack 1.5", text);
     const auto opened = test::npseeRun({"edit", folder / "attack 1.5", "--headless", "--script", folder / "script.txt"});
     EXPECT_EQ(opened.out, "mode=" + std::string(mode) + "\ndirty=no\n") << opened.err;
   }
