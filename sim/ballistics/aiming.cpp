@@ -1,6 +1,7 @@
 #include <npsee/aiming.h>
 
 #include "sim/ballistics/angles.h"
+#include "sim/core/text.h"
 
 #include <algorithm>
 #include <array>
@@ -246,9 +247,7 @@ std::optional<AimSolution> Aimer::solve(double range_m, Sample near, Sample far,
 Expected<void> Aimer::checkReach(double range_m) const {
   if (!(range_m > 0.0)) return fail(ErrorKind::usage, "the range is " + shortest(range_m) + " m, but must be above 0.", "Give the horizontal distance to the target.");
   if (range_m <= max_range_m_) return {};
-  char limit[40], angle[40];
-  std::snprintf(limit, sizeof limit, "%.1f", max_range_m_);
-  std::snprintf(angle, sizeof angle, "%.1f", max_elevation_rad_ * 3200.0 / kPi);
+  const std::string limit = withDecimals(max_range_m_, 1), angle = withDecimals(max_elevation_rad_ * 3200.0 / kPi, 1);
   return fail(ErrorKind::usage, "a range of " + shortest(range_m) + " m is out of reach: the maximum is " + limit + " m, at " + angle + " mil.", "Choose a stronger charge or a nearer target.");
 }
 

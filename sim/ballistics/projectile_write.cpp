@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cmath>
 
 namespace npsee {
@@ -17,8 +18,9 @@ double written(double si, double factor) {
   if (factor == 1.0) return si;
   double value = si / factor;
   char text[40];
-  std::snprintf(text, sizeof text, "%.15g", value);
-  const double rounded = parseLeadingNumber(text)->first;
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 15).ptr;
+  double rounded = 0.0;
+  std::from_chars(text, end, rounded);
   if (rounded * factor == si) return rounded;
   for (double low = value, high = value, step = 0; step < 4; ++step) {
     if (low * factor == si) return low;

@@ -1,6 +1,7 @@
 #include "sim/core/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 
 namespace npsee {
@@ -86,6 +87,11 @@ std::vector<std::string_view> splitAt(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     begin = end + 1;
   }
+}
+
+std::string withDecimals(double value, int decimals) {
+  char text[400];  // the largest number has 309 digits before the point
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, std::clamp(decimals, 0, 60)).ptr);
 }
 
 }  // namespace npsee

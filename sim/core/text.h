@@ -26,6 +26,9 @@ std::vector<std::string_view> namesOf(const Table& table, Name Row::*name) {
 /// Whether `text` is well-formed UTF-8 (no overlong forms, no surrogates).
 bool validUtf8(std::string_view text);
 
+/// `value` with so many decimals, whatever the locale: withDecimals(2.25, 1) is "2.2".
+std::string withDecimals(double value, int decimals);
+
 std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> splitAt(std::string_view text, char separator);
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -70,9 +69,9 @@ double toUnit(Unit unit, double si) {
   if (factor == 1.0) return si;
   const double rough = si / factor;
   char text[40];
-  std::snprintf(text, sizeof text, "%.15g", rough);
+  const auto end = std::to_chars(text, text + sizeof text, rough, std::chars_format::general, 15).ptr;
   double rounded = 0.0;
-  std::from_chars(text, text + sizeof text, rounded);
+  std::from_chars(text, end, rounded);
   if (rounded * factor == si) return rounded;
   double below = rough, above = rough;
   for (int step = 0; step < 4; ++step) {

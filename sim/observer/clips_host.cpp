@@ -11,6 +11,8 @@
 #include <map>
 #include <stdexcept>
 
+#include <locale.h>
+
 extern "C" {
 #include <clips/miscfun.h>
 #include <clips/multifun.h>
@@ -27,6 +29,23 @@ double threadSeconds() {
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
+
+/// CLIPS reads numbers with strtod and writes them with sprintf, which a host may have told to expect commas. As long as this lives, this
+/// thread, and no other, reads and writes as C does.
+class CNumbers {
+ public:
+  CNumbers() : before_(uselocale(plain())) {}
+  ~CNumbers() { uselocale(before_); }
+  CNumbers(const CNumbers&) = delete;
+  CNumbers& operator=(const CNumbers&) = delete;
+
+ private:
+  static locale_t plain() {
+    static const locale_t c = newlocale(LC_ALL_MASK, "C", nullptr);
+    return c;
+  }
+  locale_t before_;
+};
 
 }  // namespace
 
@@ -221,6 +240,7 @@ std::string State::ruleNow() const {
 }
 
 ClipsHost::ClipsHost(const HostLimits& limits) : state_(std::make_unique<State>(limits)) {
+  const CNumbers c;
   state_->env = CreateEnvironment();
   if (state_->env == nullptr) throw std::bad_alloc();
   SetEnvironmentContext(state_->env, state_.get());
@@ -261,6 +281,7 @@ void ClipsHost::removeOtherFunctions() {
 }
 
 Expected<void> ClipsHost::load(const std::string& text, const std::string& file) {
+  const CNumbers c;
   begin();
   state_->file = file;
   state_->parse_faults.clear();
@@ -280,9 +301,13 @@ Expected<void> ClipsHost::load(const std::string& text, const std::string& file)
 
 void ClipsHost::place(std::string_view rule, std::string_view file, int line) { state_->places.insert_or_assign(std::string(rule), State::Place{std::string(file), line}); }
 
-void ClipsHost::reset() { EnvReset(state_->env); }
+void ClipsHost::reset() {
+  const CNumbers c;
+  EnvReset(state_->env);
+}
 
 FactHandle ClipsHost::assertFact(const char* name, const std::vector<SlotValue>& slots) {
+  const CNumbers c;
   void* found = EnvFindDeftemplate(state_->env, name);
   if (found == nullptr) return nullptr;
   fact* made = EnvCreateFact(state_->env, found);
@@ -300,6 +325,7 @@ FactHandle ClipsHost::assertFact(const char* name, const std::vector<SlotValue>&
 }
 
 FactHandle ClipsHost::assertOrdered(const char* name, const std::vector<RuleValue>& values) {
+  const CNumbers c;
   std::string text = std::string("(") + name;
   for (const RuleValue& value : values) text += ' ' + plainText(value);
   void* asserted = EnvAssertString(state_->env, (text + ')').c_str());
@@ -308,6 +334,7 @@ FactHandle ClipsHost::assertOrdered(const char* name, const std::vector<RuleValu
 }
 
 void ClipsHost::retract(FactHandle handle) {
+  const CNumbers c;
   if (handle == nullptr) return;
   EnvDecrementFactCount(state_->env, handle);
   if (EnvFactExistp(state_->env, handle)) EnvRetract(state_->env, handle);
@@ -327,6 +354,7 @@ void ClipsHost::begin() {
 }
 
 Expected<void> ClipsHost::run() {
+  const CNumbers c;
   State& state = *state_;
   // What failed while facts were asserted (conditions of rules are evaluated then) is kept in `printed` and `stopped`.
   SetEvaluationError(state.env, 0);

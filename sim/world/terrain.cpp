@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <thread>
 
 namespace npsee {
@@ -57,8 +57,7 @@ namespace world {
 
 std::string shown(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.8g", value);
-  return text;
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 8).ptr);
 }
 
 Expected<Terrain::Grid> emptyGrid(double size_x, double size_z, double columns, double rows) {
