@@ -108,14 +108,14 @@ CompileOptions limitsOf(const npsee_compile_options& options) {
 extern "C" {
 
 npsee_status npsee_preset_load(const char* path, npsee_preset** preset) {
+  NPSEE_MAKES(preset);
   NPSEE_NEEDS(path);
-  NPSEE_NEEDS(preset);
   return c::guarded(__func__, [&] { return c::handOver(loadPreset(path), preset); });
 }
 
 npsee_status npsee_preset_parse(const char* text, size_t length, const char* name, const char* folder, npsee_preset** preset) {
+  NPSEE_MAKES(preset);
   NPSEE_NEEDS(text);
-  NPSEE_NEEDS(preset);
   return c::guarded(__func__, [&] { return c::handOver(parsePreset({text, length}, c::orEmpty(name), c::orEmpty(folder)), preset); });
 }
 
@@ -146,8 +146,8 @@ npsee_compile_options npsee_compile_options_default(void) {
 }
 
 npsee_status npsee_explosion_compile(const npsee_preset* preset, const npsee_compile_options* options, npsee_explosion** explosion) {
+  NPSEE_MAKES(explosion);
   NPSEE_NEEDS(preset);
-  NPSEE_NEEDS(explosion);
   return c::guarded(__func__, [&] {
     const npsee_compile_options chosen = options != nullptr ? *options : npsee_compile_options_default();
     if (chosen.threads < 1) return c::refuse(NPSEE_USAGE, "at least one thread is needed.");

@@ -151,14 +151,14 @@ npsee_status aim(const npsee_ballistics& ballistics, const npsee_target& target,
 extern "C" {
 
 npsee_status npsee_projectile_find(const char* choice, npsee_projectile** projectile) {
+  NPSEE_MAKES(projectile);
   NPSEE_NEEDS(choice);
-  NPSEE_NEEDS(projectile);
   return c::guarded(__func__, [&] { return c::handOver(findProjectile(choice), projectile); });
 }
 
 npsee_status npsee_projectile_parse(const char* text, size_t length, const char* name, npsee_projectile** projectile) {
+  NPSEE_MAKES(projectile);
   NPSEE_NEEDS(text);
-  NPSEE_NEEDS(projectile);
   return c::guarded(__func__, [&] { return c::handOver(parseProjectile({text, length}, c::orEmpty(name)), projectile); });
 }
 
@@ -216,8 +216,8 @@ npsee_conditions npsee_conditions_default(void) {
 }
 
 npsee_status npsee_ballistics_make(const npsee_projectile* projectile, const npsee_conditions* conditions, npsee_ballistics** ballistics) {
+  NPSEE_MAKES(ballistics);
   NPSEE_NEEDS(projectile);
-  NPSEE_NEEDS(ballistics);
   return c::guarded(__func__, [&] {
     auto made = make(projectile->value, conditions != nullptr ? *conditions : npsee_conditions_default());
     if (!made) return c::refuse(made.error());
@@ -241,9 +241,9 @@ npsee_status npsee_ballistics_fly(const npsee_ballistics* ballistics, const npse
 }
 
 npsee_status npsee_ballistics_path(const npsee_ballistics* ballistics, const npsee_shot* shot, npsee_path** path) {
+  NPSEE_MAKES(path);
   NPSEE_NEEDS(ballistics);
   NPSEE_NEEDS(shot);
-  NPSEE_NEEDS(path);
   return c::guarded(__func__, [&] {
     const Shot wanted = shotOf(*shot);
     if (const auto possible = ballistics->value.checkShot(wanted); !possible) return c::refuse(possible.error());

@@ -39,7 +39,7 @@ npsee_status guarded(const char* function, const Work& work) noexcept {
 /// Copies a text with its zero into the caller's buffer, as npsee_preset_text() describes it.
 npsee_status copyText(std::string_view text, char* buffer, std::size_t capacity, std::size_t* length) noexcept;
 
-/// Puts a new handle of type `Handle` into `*out`, or the reason why there is none.
+/// Puts a new handle of type `Handle` into `*out`, or keeps the reason why there is none.
 template <class Handle, class Value>
 npsee_status handOver(Expected<Value>&& made, Handle** out) {
   if (!made) return refuse(made.error());
@@ -65,3 +65,8 @@ inline void put(const Vec3& vector, double* numbers) {
 /// Leaves the function with a usage error if a pointer is null. A macro, for the names in the message.
 #define NPSEE_NEEDS(pointer) \
   if ((pointer) == nullptr) return npsee::c::refuseNull(__func__, #pointer)
+
+/// The same for a pointer to a new handle, which is null until there is one: before all else that can fail.
+#define NPSEE_MAKES(handle) \
+  NPSEE_NEEDS(handle);      \
+  *(handle) = nullptr

@@ -82,14 +82,14 @@ MissionCommand commandOf(const npsee_order& order) {
 extern "C" {
 
 npsee_status npsee_scenario_load(const char* path, npsee_scenario** scenario) {
+  NPSEE_MAKES(scenario);
   NPSEE_NEEDS(path);
-  NPSEE_NEEDS(scenario);
   return c::guarded(__func__, [&] { return c::handOver(loadScenario(path), scenario); });
 }
 
 npsee_status npsee_scenario_parse(const char* text, size_t length, const char* name, const char* folder, npsee_scenario** scenario) {
+  NPSEE_MAKES(scenario);
   NPSEE_NEEDS(text);
-  NPSEE_NEEDS(scenario);
   return c::guarded(__func__, [&] { return c::handOver(parseScenario({text, length}, c::orEmpty(name), c::orEmpty(folder)), scenario); });
 }
 
@@ -102,8 +102,8 @@ npsee_status npsee_scenario_set(npsee_scenario* scenario, const char* setting) {
 void npsee_scenario_free(npsee_scenario* scenario) { delete scenario; }
 
 npsee_status npsee_mission_start(const npsee_scenario* scenario, npsee_mission** mission) {
+  NPSEE_MAKES(mission);
   NPSEE_NEEDS(scenario);
-  NPSEE_NEEDS(mission);
   return c::guarded(__func__, [&] {
     if (auto faults = validate(scenario->value); !faults.empty()) return c::refuse(Error{ErrorKind::input, std::move(faults)});
     return c::handOver(Mission::make(scenario->value), mission);

@@ -14,8 +14,8 @@ struct npsee_recording {
 extern "C" {
 
 npsee_status npsee_recording_open(const char* path, npsee_recording** recording) {
+  NPSEE_MAKES(recording);
   NPSEE_NEEDS(path);
-  NPSEE_NEEDS(recording);
   return c::guarded(__func__, [&] { return c::handOver(loadRecording(path), recording); });
 }
 

@@ -228,17 +228,28 @@ static void refuse(npsee_status status, npsee_status expected, const char* call)
 }
 #define REFUSED(status, call) refuse((call), (status), #call)
 
+/* The same, and the handle that was not made is null: to free it is harmless. */
+#define NOT_MADE(status, handle, call)                                   \
+  do {                                                                   \
+    (handle) = (void*)&refused;                                          \
+    REFUSED(status, call);                                               \
+    if ((handle) != NULL) {                                              \
+      fprintf(stderr, "%s leaves a handle that is not one\n", #call);    \
+      exit(1);                                                           \
+    }                                                                    \
+  } while (0)
+
 static const char small[] = "{\"npsee\": 1, \"layers\": [{\"name\": \"a\", \"count\": 5}]}";
 
 static void preset_errors(void) {
   npsee_preset* preset = NULL;
   char text[8];
   size_t length = 0;
-  REFUSED(NPSEE_USAGE, npsee_preset_load(NULL, &preset));
+  NOT_MADE(NPSEE_USAGE, preset, npsee_preset_load(NULL, &preset));
   REFUSED(NPSEE_USAGE, npsee_preset_load("x", NULL));
-  REFUSED(NPSEE_INPUT, npsee_preset_load("/nowhere/x.npsee.json", &preset));
-  REFUSED(NPSEE_USAGE, npsee_preset_parse(NULL, 3, NULL, NULL, &preset));
-  REFUSED(NPSEE_INPUT, npsee_preset_parse("{", 1, NULL, NULL, &preset));
+  NOT_MADE(NPSEE_INPUT, preset, npsee_preset_load("/nowhere/x.npsee.json", &preset));
+  NOT_MADE(NPSEE_USAGE, preset, npsee_preset_parse(NULL, 3, NULL, NULL, &preset));
+  NOT_MADE(NPSEE_INPUT, preset, npsee_preset_parse("{", 1, NULL, NULL, &preset));
   need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
   REFUSED(NPSEE_USAGE, npsee_preset_set(preset, NULL));
   REFUSED(NPSEE_USAGE, npsee_preset_set(NULL, "seed=1"));
@@ -270,20 +281,20 @@ static void explosion_errors(void) {
   npsee_layer layer;
   double corner[3], zero = 0.0, numbers[5];
   need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
-  REFUSED(NPSEE_USAGE, npsee_explosion_compile(NULL, NULL, &explosion));
+  NOT_MADE(NPSEE_USAGE, explosion, npsee_explosion_compile(NULL, NULL, &explosion));
   REFUSED(NPSEE_USAGE, npsee_explosion_compile(preset, NULL, NULL));
   options.max_particles = 4;
-  REFUSED(NPSEE_INPUT, npsee_explosion_compile(preset, &options, &explosion));
+  NOT_MADE(NPSEE_INPUT, explosion, npsee_explosion_compile(preset, &options, &explosion));
   options.max_particles = 0;
   options.max_bytes = 100;
-  REFUSED(NPSEE_INPUT, npsee_explosion_compile(preset, &options, &explosion));
+  NOT_MADE(NPSEE_INPUT, explosion, npsee_explosion_compile(preset, &options, &explosion));
   options.max_bytes = 0;
   options.threads = 0;
-  REFUSED(NPSEE_USAGE, npsee_explosion_compile(preset, &options, &explosion));
+  NOT_MADE(NPSEE_USAGE, explosion, npsee_explosion_compile(preset, &options, &explosion));
   options.threads = 1;
   options.ground = nan_heights;
   options.ground_detail_m = 0.0;
-  REFUSED(NPSEE_USAGE, npsee_explosion_compile(preset, &options, &explosion));
+  NOT_MADE(NPSEE_USAGE, explosion, npsee_explosion_compile(preset, &options, &explosion));
   options.ground_detail_m = 1.0;
   need(npsee_explosion_compile(preset, &options, &explosion));
   memset(&frame, 0, sizeof frame);
@@ -320,23 +331,23 @@ static void flight_errors(void) {
   npsee_target target;
   npsee_solution solution;
   double zero = 0.0;
-  REFUSED(NPSEE_USAGE, npsee_projectile_find("m108", &projectile));
-  REFUSED(NPSEE_USAGE, npsee_projectile_find(NULL, &projectile));
-  REFUSED(NPSEE_INPUT, npsee_projectile_parse("[]", 2, "x", &projectile));
+  NOT_MADE(NPSEE_USAGE, projectile, npsee_projectile_find("m108", &projectile));
+  NOT_MADE(NPSEE_USAGE, projectile, npsee_projectile_find(NULL, &projectile));
+  NOT_MADE(NPSEE_INPUT, projectile, npsee_projectile_parse("[]", 2, "x", &projectile));
   need(npsee_projectile_find("m107", &projectile));
   REFUSED(NPSEE_USAGE, npsee_projectile_set(projectile, "weight=3"));
   REFUSED(NPSEE_USAGE, npsee_projectile_shot(projectile, "99", 0.5, &shot));
   REFUSED(NPSEE_USAGE, npsee_projectile_charge(projectile, 1000, NULL, NULL));
   conditions.model = "magic";
-  REFUSED(NPSEE_USAGE, npsee_ballistics_make(projectile, &conditions, &ballistics));
+  NOT_MADE(NPSEE_USAGE, ballistics, npsee_ballistics_make(projectile, &conditions, &ballistics));
   conditions.model = NULL;
   conditions.tolerance_m = zero / zero;
-  REFUSED(NPSEE_USAGE, npsee_ballistics_make(projectile, &conditions, &ballistics));
+  NOT_MADE(NPSEE_USAGE, ballistics, npsee_ballistics_make(projectile, &conditions, &ballistics));
   need(npsee_ballistics_make(projectile, NULL, &ballistics));
   need(npsee_projectile_shot(projectile, NULL, 0.5, &shot));
   shot.speed_mps = zero / zero;
   REFUSED(NPSEE_USAGE, npsee_ballistics_fly(ballistics, &shot, &flight));
-  REFUSED(NPSEE_USAGE, npsee_ballistics_path(ballistics, &shot, &path));
+  NOT_MADE(NPSEE_USAGE, path, npsee_ballistics_path(ballistics, &shot, &path));
   REFUSED(NPSEE_USAGE, npsee_path_at(NULL, 0.0, 0, NULL, NULL, NULL));
   REFUSED(NPSEE_USAGE, npsee_ballistics_fly(ballistics, NULL, &flight));
   memset(&target, 0, sizeof target);
@@ -361,10 +372,10 @@ static void mission_errors(void) {
   char text[4];
   double zero = 0.0;
   static const char file[] = "{\"npsee_mission\": 1, \"name\": \"x\", \"duration\": 1}";
-  REFUSED(NPSEE_USAGE, npsee_scenario_load(NULL, &scenario));
-  REFUSED(NPSEE_INPUT, npsee_scenario_load("/nowhere.mission.json", &scenario));
-  REFUSED(NPSEE_INPUT, npsee_scenario_parse("[", 1, NULL, NULL, &scenario));
-  REFUSED(NPSEE_USAGE, npsee_mission_start(NULL, &run));
+  NOT_MADE(NPSEE_USAGE, scenario, npsee_scenario_load(NULL, &scenario));
+  NOT_MADE(NPSEE_INPUT, scenario, npsee_scenario_load("/nowhere.mission.json", &scenario));
+  NOT_MADE(NPSEE_INPUT, scenario, npsee_scenario_parse("[", 1, NULL, NULL, &scenario));
+  NOT_MADE(NPSEE_USAGE, run, npsee_mission_start(NULL, &run));
   need(npsee_scenario_parse(file, strlen(file), "x", NULL, &scenario));
   REFUSED(NPSEE_USAGE, npsee_scenario_set(scenario, "nothing=1"));
   need(npsee_mission_start(scenario, &run));
@@ -396,9 +407,9 @@ static void recording_errors(const char* file) {
   char text[4];
   size_t index = 0;
   double zero = 0.0, height_m;
-  REFUSED(NPSEE_USAGE, npsee_recording_open(NULL, &kept));
+  NOT_MADE(NPSEE_USAGE, kept, npsee_recording_open(NULL, &kept));
   REFUSED(NPSEE_USAGE, npsee_recording_open(file, NULL));
-  REFUSED(NPSEE_INPUT, npsee_recording_open("/nowhere/x.rec", &kept));
+  NOT_MADE(NPSEE_INPUT, kept, npsee_recording_open("/nowhere/x.rec", &kept));
   need(npsee_recording_open(file, &kept));
   REFUSED(NPSEE_USAGE, npsee_recording_event(NULL, 0, NULL, 0, NULL));
   REFUSED(NPSEE_USAGE, npsee_recording_event(kept, 1000000, NULL, 0, NULL));

@@ -12,6 +12,9 @@
 /// Every function that can fail returns a ::npsee_status; npsee_last_error() then has the reason. Null where a pointer is needed is an error
 /// and no crash. No C++ exception leaves a function, also none that a callback throws. Texts are UTF-8 and end with a zero.
 ///
+/// A function that fails sets the handle that it should have made to null, and leaves whatever else it should have filled as it was; only lengths of
+/// texts are told then too.
+///
 /// A handle is freed by its own `_free`, which takes null. Handles do not depend on each other: a preset may be freed when it is compiled.
 /// Explosions, ballistics, paths and recordings never change and may be used by many threads at once; a handle of another kind by one thread at a time.
 ///
