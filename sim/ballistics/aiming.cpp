@@ -50,10 +50,14 @@ double distance(const Flight& flight) { return std::sqrt(flight.range_m * flight
 
 Aimer::Aimer(Ballistics ballistics, AimRequest request) : ballistics_(std::move(ballistics)), request_(std::move(request)) {}
 
-Expected<Aimer> Aimer::make(const Ballistics& ballistics, const AimRequest& request) {
+Expected<void> Aimer::check(const Ballistics& ballistics, const AimRequest& request) {
   if (!(std::fabs(request.height_m) <= 20000.0)) return fail(ErrorKind::usage, "the height of the target is " + shortest(request.height_m) + " m, outside -20000 to 20000 m.");
+  return ballistics.checkShot(Aimer(ballistics, request).shotAt(0.5, 0.0));
+}
+
+Expected<Aimer> Aimer::make(const Ballistics& ballistics, const AimRequest& request) {
+  if (auto good = check(ballistics, request); !good) return tl::unexpected<Error>(good.error());
   Aimer aimer(ballistics.onto(request.height_m), request);
-  if (auto good = ballistics.checkShot(aimer.shotAt(0.5, 0.0)); !good) return tl::unexpected<Error>(good.error());
   aimer.findMaximum();
   if (aimer.max_range_m_ <= 0.0)
     return fail(ErrorKind::usage, "no elevation brings the shell down on a target " + shortest(request.height_m) + " m above the muzzle.", "It is higher than the shell flies: choose a stronger charge or a lower target.");

@@ -136,9 +136,11 @@ Expected<AimRequest> requestOf(const npsee_ballistics& ballistics, const npsee_t
 npsee_status aim(const npsee_ballistics& ballistics, const npsee_target& target, npsee_solution& solution) {
   const auto request = requestOf(ballistics, target);
   if (!request) return c::refuse(request.error());
-  const auto aimer = Aimer::make(ballistics.value, *request);
-  if (!aimer) return c::refuse(aimer.error());
+  if (const auto sound = Aimer::check(ballistics.value, *request); !sound) return c::refuse(sound.error());
   if (!(target.range_m > 0.0)) return c::refuse(NPSEE_USAGE, "range_m is not above 0.");
+  const auto aimer = Aimer::make(ballistics.value, *request);
+  // What is left is a target higher than the shell flies.
+  if (!aimer) return c::refuse(NPSEE_NEGATIVE, aimer.error().text());
   if (const auto reach = aimer->checkReach(target.range_m); !reach) return c::refuse(NPSEE_NEGATIVE, reach.error().text());
   const auto found = target.high != 0 ? aimer->high(target.range_m) : aimer->low(target.range_m);
   if (!found) return c::refuse(NPSEE_NEGATIVE, std::string("the ") + (target.high != 0 ? "higher" : "lower") + " of the two elevations does not reach that distance.");

@@ -354,8 +354,19 @@ static void flight_errors(void) {
   REFUSED(NPSEE_USAGE, npsee_ballistics_aim(ballistics, &target, &solution));
   target.charge = "7W";
   REFUSED(NPSEE_USAGE, npsee_ballistics_aim(ballistics, &target, &solution));
+  target.range_m = zero / zero;
+  REFUSED(NPSEE_USAGE, npsee_ballistics_aim(ballistics, &target, &solution));
   target.range_m = 1e6;
   REFUSED(NPSEE_NEGATIVE, npsee_ballistics_aim(ballistics, &target, &solution));
+  /* Too high is out of reach as well; a height that cannot be is a mistake. */
+  target.range_m = 5000.0;
+  target.height_m = 15000.0;
+  REFUSED(NPSEE_NEGATIVE, npsee_ballistics_aim(ballistics, &target, &solution));
+  if (strstr(npsee_last_error(), "15000 m above the muzzle") == NULL) exit(1);
+  target.height_m = 30000.0;
+  REFUSED(NPSEE_USAGE, npsee_ballistics_aim(ballistics, &target, &solution));
+  target.height_m = zero / zero;
+  REFUSED(NPSEE_USAGE, npsee_ballistics_aim(ballistics, &target, &solution));
   npsee_ballistics_free(ballistics);
   npsee_ballistics_free(NULL);
   npsee_path_free(NULL);

@@ -33,8 +33,12 @@ struct AimSolution {
 /// one of range, not of elevation, because dR/dQE vanishes at the maximum.
 class Aimer {
  public:
+  /// Whether a request makes sense: its height within 20 km of the muzzle (m), a shot that is possible. Error kind usage, with every fault. A target that
+  /// is too high or too far may make sense; make() and checkReach() tell of that.
+  static Expected<void> check(const Ballistics& ballistics, const AimRequest& request);
+
   /// Uses the projectile, model, atmosphere, gravity and integration of `ballistics`; its own target height and ground are not
-  /// used. Error kind usage: the request makes no sense, or nothing comes down at that height.
+  /// used. Error kind usage: check() refuses the request, or nothing comes down at that height.
   static Expected<Aimer> make(const Ballistics& ballistics, const AimRequest& request);
 
   /// Greatest horizontal distance, m, and the elevation that gives it.

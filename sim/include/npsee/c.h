@@ -306,8 +306,8 @@ typedef struct npsee_solution {
   double miss_m;                 ///< horizontal distance of the impact from the target
 } npsee_solution;
 
-/// Finds the elevation and azimuth for a target. Negative: out of reach, the error text names the greatest range. Errors: usage.
-/// Thread-safe.
+/// Finds the elevation and azimuth for a target. Negative: out of reach, the error text names the greatest range, or says that the target is
+/// higher than the shell flies. Errors: usage. Thread-safe.
 NPSEE_API npsee_status npsee_ballistics_aim(const npsee_ballistics* ballistics, const npsee_target* target, npsee_solution* solution);
 
 /// @}
