@@ -26,7 +26,7 @@ class CallersGround final : public Ground {
   explicit CallersGround(const npsee_compile_options& options) : height_(options.ground), user_(options.ground_user), detail_m_(options.ground_detail_m) {}
   double height(double x_m, double z_m) const override {
     const double height_m = height_(user_, x_m, z_m);
-    return std::isfinite(height_m) ? height_m : 0.0;
+    return std::fabs(height_m) <= kMaxGround_m ? height_m : 0.0;
   }
   double detail() const override { return detail_m_; }
 

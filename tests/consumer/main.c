@@ -273,6 +273,53 @@ static double nan_heights(void* user, double x_m, double z_m) {
   return zero / zero;
 }
 
+/* As a host may mark what it has no data of: the height that `user` points at. */
+static double far_heights(void* user, double x_m, double z_m) {
+  return x_m + z_m > 0.0 ? *(double*)user : 0.0;
+}
+
+/* Whatever the ground is, every number of a frame and of the extent is finite. */
+static void need_finite(double ground_m) {
+  npsee_preset* preset = NULL;
+  npsee_explosion* explosion = NULL;
+  npsee_compile_options options = npsee_compile_options_default();
+  npsee_frame frame;
+  double *columns[7], corners[6];
+  size_t i, count;
+  int k, step;
+  options.ground = far_heights;
+  options.ground_user = &ground_m;
+  need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
+  need(npsee_preset_set(preset, "a.count=60"));
+  need(npsee_explosion_compile(preset, &options, &explosion));
+  count = npsee_explosion_particles(explosion);
+  for (k = 0; k < 7; ++k) columns[k] = column(count);
+  memset(&frame, 0, sizeof frame);
+  frame.capacity = count;
+  frame.x = columns[0];
+  frame.y = columns[1];
+  frame.z = columns[2];
+  frame.vx = columns[3];
+  frame.vy = columns[4];
+  frame.vz = columns[5];
+  frame.size = columns[6];
+  need(npsee_explosion_extent(explosion, corners, corners + 3));
+  for (k = 0; k < 6; ++k)
+    if (!(corners[k] > -1e9 && corners[k] < 1e9)) exit(1);
+  for (step = 0; step < 30; ++step) {
+    need(npsee_explosion_at(explosion, 0.2 * step, &frame, 1));
+    for (i = 0; i < count; ++i)
+      for (k = 0; k < 7; ++k)
+        if (!(columns[k][i] > -1e9 && columns[k][i] < 1e9)) {
+          fprintf(stderr, "on a ground of %g m particle %d has %g\n", ground_m, (int)i, columns[k][i]);
+          exit(1);
+        }
+  }
+  for (k = 0; k < 7; ++k) free(columns[k]);
+  npsee_explosion_free(explosion);
+  npsee_preset_free(preset);
+}
+
 static void explosion_errors(void) {
   npsee_preset* preset = NULL;
   npsee_explosion* explosion = NULL;
@@ -457,6 +504,10 @@ int main(int argc, char** argv) {
   else if (argc == 3 && strcmp(argv[1], "errors") == 0) {
     preset_errors();
     explosion_errors();
+    need_finite(1e7);
+    need_finite(-1e7);
+    need_finite(1e39);
+    need_finite(-1e300);
     flight_errors();
     mission_errors();
     recording_errors(argv[2]);

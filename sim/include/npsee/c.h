@@ -88,7 +88,7 @@ NPSEE_API void npsee_preset_free(npsee_preset* preset);
 typedef struct npsee_explosion npsee_explosion;
 
 /// Height of the ground at (x, z), metres, called while compiling, from several threads at once if there are several. Heights that are
-/// not finite count as 0.
+/// not finite, or further than 1e7 m from 0, count as 0.
 typedef double (*npsee_height_function)(void* user, double x_m, double z_m);
 
 /// How to compile; start from npsee_compile_options_default().

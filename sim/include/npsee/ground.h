@@ -4,12 +4,15 @@
 
 namespace npsee {
 
+/// The highest and lowest ground that particles may fall on, m from height 0: what is drawn of them is in single precision.
+inline constexpr double kMaxGround_m = 1e7;
+
 /// The surface particles fall on: a height over the x-z plane. Implementations must be pure and thread-safe.
 class Ground {
  public:
   virtual ~Ground() = default;
 
-  /// Height of the surface, m, finite for every finite x, z (m).
+  /// Height of the surface, m, finite and within kMaxGround_m of 0 for every finite x, z (m). Beyond it particles may get places that are not finite.
   virtual double height(double x_m, double z_m) const = 0;
 
   /// Unit normal; the default takes central differences over a twentieth of `detail()`.
