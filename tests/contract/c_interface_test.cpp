@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <iomanip>
 #include <sstream>
 
 namespace npsee {
@@ -173,6 +175,19 @@ TEST(CInterface, ARecordingTellsAnyMomentAsTheCommandLineDoes) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     expectSameRecording(run.out, sampleRecording(), time);
   }
+}
+
+TEST(CInterface, TheHashOfARecordingIsThatOfItsLinesAsDocumented) {
+  const auto run = test::run(NPSEE_C_CONSUMER, {"recording", sampleRecording(), "0"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto lines = linesOf(run.out, "event");
+  ASSERT_GT(lines.size(), 5u);
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    for (const char byte : lines[i] + "\n") hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  std::ostringstream digits;
+  digits << std::hex << std::setw(16) << std::setfill('0') << hash;
+  EXPECT_EQ(valueOf(run.out, "hash"), digits.str());
 }
 
 TEST(CInterface, AMissionSavedThroughItIsTheCommandLinesRecording) {

@@ -440,8 +440,9 @@ NPSEE_API npsee_status npsee_recording_open(const char* path, npsee_recording** 
 /// How long the mission lasted, s; 0 for null. Thread-safe.
 NPSEE_API double npsee_recording_duration_s(const npsee_recording* recording);
 
-/// SHA-256 of the event log in hexadecimal digits, as the log's last line tells it; empty if the mission did not come to its end, or for null. Valid as
-/// long as the recording. Thread-safe.
+/// Hash of the event log, as the log's last line tells it: 64-bit FNV-1a of all lines before that one, each with its line end (one byte 10), as 16
+/// hexadecimal digits. It tells whether two runs were the same; it is no guard against forgery. Empty if the mission did not come to its end, or for
+/// null. Valid as long as the recording. Thread-safe.
 NPSEE_API const char* npsee_recording_hash(const npsee_recording* recording);
 
 /// Events in the log; 0 for null. Thread-safe.

@@ -144,7 +144,7 @@ struct Recording {
   std::vector<MissionEvent> events;
   double duration_s = 0.0;          ///< simulated so far
   bool finished = false;
-  std::string hash;                 ///< of the event log, once finished
+  std::string hash;                 ///< 64-bit FNV-1a of the log's lines before `end`, each with its line end, as 16 hexadecimal digits; empty until finished
 
   /// Standing on the ground (or the sea).
   Vec3 vehiclePlace(std::size_t vehicle, double time_s) const;
