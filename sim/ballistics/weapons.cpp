@@ -52,6 +52,7 @@ class Reader {
       else if (tokens_[at_].text == "D") stray("this D record has no I record before it.", "Begin each weapon with: I NAME ID");
       else stray("\"" + std::string(tokens_[at_].text) + "\" begins no record.", "Records begin with I (name, id) or D (seven values); comments stand between /* and */.");
     }
+    if (at_ < tokens_.size()) fault(tokens_[at_].line, "here begins more than the " + std::to_string(kWeaponLimit) + " weapons that a file may have.", "Split the file.");
     weapons.comment_end = end_comments_;
   }
 

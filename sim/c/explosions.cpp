@@ -1,6 +1,7 @@
 // The C interface to presets and explosions.
 
 #include "sim/c/guard.h"
+#include "sim/explosion/compile.h"
 
 #include <npsee/explosion.h>
 #include <npsee/parameters.h>
@@ -204,6 +205,7 @@ npsee_status npsee_explosion_at_float(const npsee_explosion* explosion, double t
 void npsee_release_scratch(void) {
   scratch<double>().reset();
   scratch<float>().reset();
+  explosion::releaseCompileScratch();
 }
 
 void npsee_explosion_free(npsee_explosion* explosion) { delete explosion; }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <limits>
 
 namespace npsee::explosion {
@@ -117,6 +118,11 @@ struct Scratch {
   std::vector<Arc> arcs;
   std::vector<float> heights, starts;
 };
+
+std::unique_ptr<Scratch>& threadScratch() {
+  thread_local std::unique_ptr<Scratch> scratch;
+  return scratch;
+}
 
 void sizeChunk(Chunk& chunk, const LayerBuild& build) {
   const auto padded = static_cast<std::size_t>((chunk.count + 3) / 4 * 4);
@@ -234,7 +240,9 @@ void keepArcs(const ArcRoom& room, int first_lane, int four, bool own_heights, C
 }
 
 void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chunk, std::vector<PiecePose>& poses) {
-  static thread_local Scratch scratch;
+  auto& kept = threadScratch();
+  if (!kept) kept = std::make_unique<Scratch>();
+  Scratch& scratch = *kept;
   const bool own_heights = !build.job.ground.flat();
   scratch.arcs.clear();
   scratch.heights.clear();
@@ -254,6 +262,8 @@ void compileChunk(const LayerBuild& build, std::size_t first_number, Chunk& chun
 }
 
 }  // namespace
+
+void releaseCompileScratch() { threadScratch().reset(); }
 
 Motion<double> stateOf(const LayerConstants& c, const Chunk& chunk, int particle, double age_s) {
   const auto p = static_cast<std::size_t>(particle);

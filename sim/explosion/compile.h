@@ -40,6 +40,9 @@ struct CompileJob {
 
 CompiledLayer compileLayer(const CompileJob& job);
 
+/// Gives back the room that this thread keeps from one compilation to the next.
+void releaseCompileScratch();
+
 /// Exact state of one particle at an age (clamped to its life), from its arcs.
 Motion<double> stateOf(const LayerConstants& constants, const Chunk& chunk, int particle, double age_s);
 

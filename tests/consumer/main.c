@@ -12,6 +12,7 @@
 
 #include <npsee/c.h>
 
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -320,6 +321,28 @@ static void need_finite(double ground_m) {
   npsee_preset_free(preset);
 }
 
+/* What a thread keeps between calls is given back: the memory in use is the same again. Sanitizers count none. */
+static void need_scratch_released(void) {
+  npsee_preset* preset = NULL;
+  npsee_explosion* explosion = NULL;
+  size_t used[2] = {0, 0};
+  int round;
+  need(npsee_preset_parse(small, strlen(small), "small", NULL, &preset));
+  need(npsee_preset_set(preset, "a.count=2000"));
+  for (round = 0; round < 2; ++round) {
+    need(npsee_explosion_compile(preset, NULL, &explosion));
+    npsee_explosion_free(explosion);
+    if (round == 1) used[0] = mallinfo2().uordblks;
+    npsee_release_scratch();
+    if (round == 1) used[1] = mallinfo2().uordblks;
+  }
+  if (used[0] != 0 && used[1] + 1000 > used[0]) {
+    fprintf(stderr, "compiling keeps its room: %lu and %lu bytes\n", (unsigned long)used[0], (unsigned long)used[1]);
+    exit(1);
+  }
+  npsee_preset_free(preset);
+}
+
 static void explosion_errors(void) {
   npsee_preset* preset = NULL;
   npsee_explosion* explosion = NULL;
@@ -504,6 +527,7 @@ int main(int argc, char** argv) {
   else if (argc == 3 && strcmp(argv[1], "errors") == 0) {
     preset_errors();
     explosion_errors();
+    need_scratch_released();
     need_finite(1e7);
     need_finite(-1e7);
     need_finite(1e39);

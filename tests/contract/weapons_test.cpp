@@ -106,6 +106,17 @@ TEST(Weapons, EveryFaultHasFileLineAndRemedy) {
   }
 }
 
+TEST(Weapons, MoreThanAFileMayHoldAreRefusedAndNotDropped) {
+  std::string text;
+  for (int id = 2; id < 10002; ++id) text += "I w" + std::to_string(id) + ' ' + std::to_string(id) + "\nD 1000 300.0 1 2 3 0 0\n";
+  const auto most = parseWeapons(text, "w.dat");
+  ASSERT_TRUE(most) << most.error().text();
+  EXPECT_EQ(most->list.size(), 10000u);
+  const auto more = parseWeapons(text + "I one 1000000\nD 1000 300.0 1 2 3 0 0\n", "w.dat");
+  ASSERT_FALSE(more);
+  EXPECT_TRUE(more.error().text().starts_with("w.dat:20001: here begins more than the 10000 weapons that a file may have.")) << more.error().text();
+}
+
 TEST(Weapons, FaultsOfSeveralRecordsAreReportedTogetherAndInOrder) {
   const std::string faults = weaponFaultsOf("I gun x\nD 1 2 3 4 5 1 1\nI two 8\nD 1 2 3 4 5 9 9\nI three 9\nD 1 2 3 4 5 1 1");
   EXPECT_LT(faults.find("w.dat:1:"), faults.find("w.dat:4: targettype"));

@@ -175,7 +175,8 @@ NPSEE_API npsee_status npsee_explosion_at(const npsee_explosion* explosion, doub
 /// npsee_explosion_at() in single precision. Errors and thread safety as there.
 NPSEE_API npsee_status npsee_explosion_at_float(const npsee_explosion* explosion, double t_s, const npsee_float_frame* frame, int threads);
 
-/// Gives back what this thread keeps between calls of npsee_explosion_at(); it does so by itself when it ends. Thread-safe.
+/// Gives back what this thread keeps between calls of npsee_explosion_compile(), npsee_explosion_at() and npsee_explosion_at_float(); it does so by
+/// itself when it ends. Thread-safe.
 NPSEE_API void npsee_release_scratch(void);
 
 /// Frees an explosion; null is allowed.
