@@ -69,8 +69,8 @@ int reportSetUp(const Options& options, Error error) {
 int runOnce(const Options& options, const Scenario& scenario, std::optional<double> until, const MissionPicturePlan& pictures) {
   const auto recording = runMission(scenario, until);
   if (!recording) return reportSetUp(options, recording.error());
-  if (!options.quiet)
-    if (const int code = writeResult(eventLog(*recording)); code != 0) return code;
+  // Whoever reads the log may go (`| head`), or the disk behind it be full: what was simulated is kept all the same.
+  const int told = options.quiet ? 0 : writeResult(eventLog(*recording));
   if (!options.record.empty())
     if (auto saved = saveRecording(*recording, options.record); !saved) return report(saved.error());
   // The log is the result on stdout; pictures are named on stderr, as files written besides.
@@ -78,6 +78,7 @@ int runOnce(const Options& options, const Scenario& scenario, std::optional<doub
   const auto drawn = writeMissionPictures(pictures, *recording, written);
   for (const auto& file : written) std::fprintf(stderr, "%s\n", printable(file.string()).c_str());
   if (!drawn) return report(drawn.error());
+  if (told != 0) return told;
   if (const int code = exitOf(*recording); code != 0) return code;
   if (!options.expect) return 0;
   const auto unmet = unmetExpectations(*recording);

@@ -28,6 +28,15 @@ TEST(CheckCommand, FindsNoFaultInTheShippedMissions) {
   EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
 }
 
+TEST(MissionCommand, TheRecordingAndThePictureAreWrittenThoughNobodyTakesTheLog) {
+  const test::TemporaryFolder folder;
+  // /dev/full takes nothing, like a pipe whose reader is gone; the shell only redirects.
+  const auto done = test::run("/bin/sh", {"-c", "exec " + test::npseePath() + " mission '" + kSource + "/assets/missions/thesis_default.mission.json' --until 30 --record run.rec --render t=10,size=64x36 -o seen.png > /dev/full"}, {}, folder.path());
+  EXPECT_EQ(done.exit_code, 5) << done.err;
+  EXPECT_EQ(test::npseeRun({"replay", folder / "run.rec"}).exit_code, 0);
+  EXPECT_TRUE(test::slurp(folder / "seen.png").starts_with("\x89PNG"));
+}
+
 TEST(ParamsCommand, ShowsTheKeysOfMissions) {
   const auto one = test::npseeRun({"params", "--missions", "lay_time"});
   EXPECT_EQ(one.exit_code, 0);
