@@ -63,7 +63,6 @@ void Session::updateExplosion(double elapsed_s) {
   design.ease.update(document.snapshot(), document.hasLayer() ? document.selected() : -1, elapsed_s, scripted());
   if (!explosion_) return;
   evaluate();
-  sampleLaunch();
 }
 
 /// Locks and layers shown alone go by name. They follow a layer that is named anew, wherever that was done; undo and redo do it too.
@@ -117,30 +116,9 @@ void Session::planAhead() {
   queue_.plan(explosion_, next);
 }
 
-void Session::sampleLaunch() {
-  constexpr std::size_t kLargest = 20'000;  // of more, the probe says enough
-  const std::pair<const Explosion*, int> now{explosion_.get(), document.selected()};
-  if (now == sampled_) return;
-  sampled_ = now;
-  sample_ = {};
-  if (!document.hasLayer() || explosion_->particleCount() > kLargest) return;
-  const Layer& layer = document.layer();
-  const auto span = std::ranges::find(explosion_->layers(), layer.name, &LayerSpan::name);
-  if (span == explosion_->layers().end() || !layer.parent.empty() || layer.duration_s > 0.0) return;
-  explosion_->at(layer.start_s, launch_, kVelocity);
-  // Frames show the size with its curve over life; what was drawn is the size without it.
-  const double grown = layer.size_over_life.empty() ? 1.0 : layer.size_over_life.front().value;
-  for (std::size_t i = span->first; i < span->first + span->count; ++i) {
-    if (launch_.alive[i] == 0) continue;
-    sample_.speed_mps.push_back(std::hypot(launch_.vx[i], launch_.vy[i], launch_.vz[i]));
-    if (grown > 0.0) sample_.size_m.push_back(static_cast<float>(launch_.size[i] / grown));
-  }
-  showHistograms();
-}
-
 /// The selected layer's launch, found beside; until then the one before is shown.
 void Session::probeLayer() {
-  constexpr std::size_t kMost = 1200;
+  constexpr std::size_t kMost = 20'000;  // of more, these say enough
   const std::pair now{document.snapshot(), document.hasLayer() ? document.selected() : -1};
   if (now == probed_) return;
   probed_ = now;
@@ -149,14 +127,14 @@ void Session::probeLayer() {
 
 void Session::showHistograms() {
   design.histograms.clear();
-  const auto add = [&](const char* key, const std::vector<float>& exact, const std::vector<float>& probe) {
-    const Histogram histogram = histogramOf(exact.empty() ? probe : exact);
+  const auto add = [&](const char* key, const std::vector<float>& probe) {
+    const Histogram histogram = histogramOf(probe);
     if (histogram.spread()) design.histograms.emplace(key, histogram);
   };
-  add("speed_deviation", sample_.speed_mps, design.probe.speed_mps);
-  add("size_deviation", sample_.size_m, design.probe.size_m);
-  add("lifetime_deviation", {}, design.probe.lifetime_s);
-  add("ejection_angle", {}, design.probe.angle_rad);
+  add("speed_deviation", design.probe.speed_mps);
+  add("size_deviation", design.probe.size_m);
+  add("lifetime_deviation", design.probe.lifetime_s);
+  add("ejection_angle", design.probe.angle_rad);
 }
 
 void Session::showSolo() {

@@ -48,12 +48,6 @@ struct Notices {
   std::string note;
 };
 
-/// What the particles of the selected layer were given at their launch; empty where no single moment shows it (layers that hang on
-/// others, or emit over time) and for very large layers.
-struct LaunchSample {
-  std::vector<float> speed_mps, size_m;
-};
-
 /// Work that an editor which ended without being asked has left behind.
 struct UnsavedWork {
   WorkMode mode = WorkMode::explosion;
@@ -105,7 +99,6 @@ class Session {
   /// Differs when the frame is another one.
   std::uint64_t frameStamp() const { return frame_stamp_; }
   std::size_t alive() const { return alive_; }
-  const LaunchSample& launchSample() const { return sample_; }
   bool compiling() const { return compiler_.busy(); }
   /// Scripts: nothing depends on how long a frame takes.
   bool scripted() const { return options_.wait_for_compile; }
@@ -211,7 +204,6 @@ class Session {
   void followNames();
   void watchFile(double elapsed_s);
   void takeCompiled();
-  void sampleLaunch();
   bool aheadOfTime() const;
   void evaluate();
   void planAhead();
@@ -236,10 +228,7 @@ class Session {
   std::uint64_t frame_stamp_ = 0;
   double shown_s_ = 0.0;  ///< moment of the last frame that was played
   std::size_t alive_ = 0;
-  LaunchSample sample_;
-  std::pair<const Explosion*, int> sampled_{nullptr, -1};  ///< what the sample is of
   std::pair<std::shared_ptr<const Preset>, int> probed_{nullptr, -1};  ///< what the probe is of
-  Frame launch_;
   std::uint64_t requested_revision_ = 0;
   std::shared_ptr<const Preset> followed_;  ///< whose layers' names `design` knows
   std::string compile_error_;  ///< shown while the picture is not that of the preset

@@ -107,12 +107,14 @@ constexpr std::array kCameraKeys{
 /// What the tables' shortcuts mean, read once.
 struct Strokes {
   std::vector<std::optional<KeyStroke>> actions, camera;
+  std::vector<std::string> texts;  ///< of the actions'
 };
 const Strokes& strokes() {
   static const Strokes kStrokes = [] {
     Strokes out;
     const auto read = [](std::string_view text) { return text.empty() ? std::nullopt : std::optional(parseKeyStroke(text).value()); };
     for (const Action& action : allActions()) out.actions.push_back(read(action.shortcut));
+    for (const auto& stroke : out.actions) out.texts.push_back(stroke ? keyText(*stroke) : std::string());
     for (const CameraKeyInfo& info : kCameraKeys) out.camera.push_back(read(info.key));
     return out;
   }();
@@ -129,6 +131,7 @@ bool pressed(const std::optional<KeyStroke>& wanted, bool repeat) {
 }  // namespace
 
 std::span<const Action> actions() { return allActions(); }
+const std::string& shortcutText(const Action& action) { return strokes().texts[static_cast<std::size_t>(&action - allActions().data())]; }
 std::span<const CameraKeyInfo> cameraKeys() { return kCameraKeys; }
 
 void handleKeys(const PanelContext& ui) {

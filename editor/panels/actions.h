@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace npsee::editor {
@@ -20,6 +21,8 @@ struct Action {
   bool here(const PanelContext& ui) const { return !only || *only == ui.session.mode(); }
 };
 std::span<const Action> actions();
+/// The shortcut of one of actions() as people read it; empty if it has none.
+const std::string& shortcutText(const Action& action);
 /// Actions of the mission mode alone; actions() has them too.
 std::span<const Action> missionActions();
 /// Actions of what lies around the documents: history, palette, library, export, view; actions() has them too.

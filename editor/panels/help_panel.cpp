@@ -54,7 +54,7 @@ void drawHelpPanel(const PanelContext& ui) {
   heading(ui, "Commands");
   for (const Action& action : actions()) {
     if (!action.here(ui)) continue;
-    line(ui, action.shortcut.empty() ? std::string(action.menu) + " menu" : keyText(*parseKeyStroke(action.shortcut)), std::string(action.label), action.shortcut.empty());
+    line(ui, action.shortcut.empty() ? std::string(action.menu) + " menu" : shortcutText(action), std::string(action.label), action.shortcut.empty());
     ui.item("key:" + std::string(action.label));
   }
   ImGui::EndChild();

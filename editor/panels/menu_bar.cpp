@@ -1,7 +1,6 @@
 #include "editor/mission/session.h"
 #include "editor/panels/actions.h"
 #include "editor/panels/panels.h"
-#include "editor/script/parser.h"
 #include "editor/ui/controls.h"
 
 #include <algorithm>
@@ -20,14 +19,12 @@ void drawMenu(const PanelContext& ui, std::string_view menu) {
     if (action.menu != menu || !action.here(ui)) continue;
     if (action.rule_before) ImGui::Separator();
     const std::string label(action.label);
-    const auto stroke = action.shortcut.empty() ? Expected<KeyStroke>(KeyStroke{}) : parseKeyStroke(action.shortcut);
-    const std::string shortcut = action.shortcut.empty() ? std::string() : keyText(*stroke);
     const bool checked = action.checked != nullptr && action.checked(ui);
     const bool enabled = action.enabled == nullptr || action.enabled(ui);
     std::string shown = label;
     if (label == "Undo" && enabled) shown += ' ' + std::string(ui.session.file().undoLabel());
     if (label == "Redo" && enabled) shown += ' ' + std::string(ui.session.file().redoLabel());
-    if (ImGui::MenuItem((shown + "###" + label).c_str(), shortcut.c_str(), checked, enabled)) action.run(ui);
+    if (ImGui::MenuItem((shown + "###" + label).c_str(), shortcutText(action).c_str(), checked, enabled)) action.run(ui);
     ui.item("item:" + label);
   }
   ImGui::EndMenu();

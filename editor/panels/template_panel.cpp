@@ -77,9 +77,11 @@ void drawParticles(const PanelContext& ui, const Pose& pose) {
   const double upward = 0.5 * (pose.shape.foot_x / across + pose.shape.foot_z / along);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(pose.box.at, pose.box.end(), true);
-  const float half = std::max(1.0f, ui.px(probe.x_m.size() > 400 ? 0.8f : 1.2f));
+  constexpr std::size_t kMostDots = 1200;  // more would be one blot
+  const std::size_t count = std::min(probe.x_m.size(), kMostDots);
+  const float half = std::max(1.0f, ui.px(count > 400 ? 0.8f : 1.2f));
   const ImU32 colour = faded(ui.theme.text, 0.8f);
-  for (std::size_t i = 0; i < probe.x_m.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double y = std::clamp(upward * static_cast<double>(probe.y_m[i]), -pose.shape.height, pose.shape.height);
     Vec3 point = pose.shape.frame({pose.shape.foot_x * static_cast<double>(probe.x_m[i]) / across, y, pose.shape.foot_z * static_cast<double>(probe.z_m[i]) / along});
     // The sphere's region is shown on the base plane below it.

@@ -2,6 +2,8 @@
 #include "editor/document/session.h"
 #include "editor/document/template_ease.h"
 
+#include <npsee/explosion.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +18,13 @@ TEST(LaunchProbe, HoldsTheVeryDrawsOfALayerThatHangsOnNothing) {
   Session session(probing());
   session.update(0.0);
   const LaunchProbe probe = probeLaunch(session.document.preset(), 0, 1000);
-  ASSERT_EQ(probe.speed_mps.size(), session.launchSample().speed_mps.size());
-  for (std::size_t i = 0; i < probe.speed_mps.size(); ++i) EXPECT_FLOAT_EQ(probe.speed_mps[i], session.launchSample().speed_mps[i]) << "the same velocity, whose length is rounded twice";
-  EXPECT_EQ(probe.size_m, session.launchSample().size_m);
+  Frame frame;
+  session.explosion()->at(0.0, frame, kVelocity);
+  ASSERT_EQ(probe.speed_mps.size(), frame.count);
+  // The same velocity, whose length is rounded twice.
+  for (std::size_t i = 0; i < frame.count; ++i) EXPECT_FLOAT_EQ(probe.speed_mps[i], std::hypot(frame.vx[i], frame.vy[i], frame.vz[i]));
+  EXPECT_TRUE(std::equal(probe.size_m.begin(), probe.size_m.end(), frame.size.begin()));
+  EXPECT_EQ(session.design.probe.speed_mps, probe.speed_mps) << "found beside, the same";
   const Layer& layer = session.document.layer();
   for (std::size_t i = 0; i < probe.x_m.size(); ++i) {
     EXPECT_LE(std::hypot(probe.x_m[i], probe.z_m[i]), static_cast<float>(layer.region_radius_m) * 1.0001f);

@@ -185,7 +185,7 @@ TEST(Session, TheHistogramsValuesFollowTheDistribution) {
   set("speed_deviation", 4.0);
   set("speed_distribution", std::string("uniform"));
   session.update(0.0);
-  const auto& speeds = session.launchSample().speed_mps;
+  const auto& speeds = session.design.probe.speed_mps;
   ASSERT_EQ(speeds.size(), 20'000u);
   const auto [least, most] = std::ranges::minmax(speeds);
   // Uniform within mean +- deviation; 20,000 draws come within a thousandth of the range's ends.
@@ -194,10 +194,10 @@ TEST(Session, TheHistogramsValuesFollowTheDistribution) {
   set("size_deviation", 0.0);
   set("size_over_life", Curve{{0.0, 0.25}, {1.0, 2.0}});
   session.update(0.0);
-  EXPECT_NEAR(static_cast<double>(session.launchSample().size_m.front()), session.document.layer().size_mean_m, 1e-6) << "without the curve over life";
+  EXPECT_NEAR(static_cast<double>(session.design.probe.size_m.front()), session.document.layer().size_mean_m, 1e-6) << "without the curve over life";
   set("duration", 1.0);
   session.update(0.0);
-  EXPECT_TRUE(session.launchSample().speed_mps.empty()) << "no single moment shows them all";
+  EXPECT_EQ(session.design.probe.speed_mps.size(), 20'000u) << "though no single moment shows them all";
 }
 
 TEST(Session, TheEffectStaysFramedInANewShapeUntilTheCameraIsMoved) {

@@ -35,17 +35,17 @@ bool matches(const LibraryEntry& entry, const DeskUi::Library& my) {
 }
 
 /// What is listed: the library's own, or files from anywhere that were favoured or worked on.
-std::vector<LibraryEntry> listed(const PanelContext& ui) {
+std::vector<const LibraryEntry*> listed(const PanelContext& ui) {
   const DeskUi::Library& my = ui.state.desk.library;
-  std::vector<LibraryEntry> out;
+  std::vector<const LibraryEntry*> out;
   if (my.show == Show::all) {
-    out = ui.session.library();
+    for (const LibraryEntry& entry : ui.session.library()) out.push_back(&entry);
   } else {
     std::error_code ignored;
     for (const std::string& file : my.show == Show::recent ? ui.desk.settings.recent : ui.desk.settings.favourites)
-      if (isMissionFile(file) == ui.session.inMission() && fs::is_regular_file(file, ignored)) out.push_back(ui.session.libraryEntry(file));
+      if (isMissionFile(file) == ui.session.inMission() && fs::is_regular_file(file, ignored)) out.push_back(&ui.session.libraryEntry(file));
   }
-  std::erase_if(out, [&](const LibraryEntry& entry) { return !matches(entry, my); });
+  std::erase_if(out, [&](const LibraryEntry* entry) { return !matches(*entry, my); });
   return out;
 }
 
@@ -135,10 +135,13 @@ void line(const PanelContext& ui, const LibraryEntry& entry, bool open) {
 
 void drawTags(const PanelContext& ui, float width) {
   DeskUi::Library& my = ui.state.desk.library;
-  std::set<std::string> tags;
-  for (const LibraryEntry& entry : ui.session.library())
-    for (std::string& tag : tagsOf(entry.tags)) tags.insert(std::move(tag));
-  if (!tags.contains(my.tag)) my.tag.clear();
+  const auto everyTag = [&] {
+    std::set<std::string> tags;
+    for (const LibraryEntry& entry : ui.session.library())
+      for (std::string& tag : tagsOf(entry.tags)) tags.insert(std::move(tag));
+    return tags;
+  };
+  if (!my.tag.empty() && !everyTag().contains(my.tag)) my.tag.clear();
   ImGui::SetNextItemWidth(width);
   const bool open = beginChoice(ui, "tag", my.tag.empty() ? "any tag" : my.tag, !my.tag.empty());
   ui.item("choice:tag");
@@ -148,7 +151,7 @@ void drawTags(const PanelContext& ui, float width) {
     ui.item("choice:tag=" + tag);
   };
   offer("", "any tag");
-  for (const std::string& tag : tags) offer(tag, tag.c_str());
+  for (const std::string& tag : everyTag()) offer(tag, tag.c_str());
   ImGui::EndCombo();
 }
 
@@ -204,13 +207,14 @@ void drawLibraryList(const PanelContext& ui) {
   const int columns = std::max(1, static_cast<int>((width + gap) / (ui.px(104) + gap)));
   const float wide = std::floor((width + gap) / static_cast<float>(columns) - gap), high = std::floor(wide * 0.625f) + ui.px(22);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const bool open = entries[i].path == now;
+    const LibraryEntry& entry = *entries[i];
+    const bool open = entry.path == now;
     if (ui.session.inMission()) {
-      line(ui, entries[i], open);
+      line(ui, entry, open);
       continue;
     }
     const std::size_t each = static_cast<std::size_t>(columns), column = i % each, row = i / each;
-    card(ui, entries[i], {at.x + static_cast<float>(column) * (wide + gap), at.y + static_cast<float>(row) * (high + ui.px(4))}, {wide, high}, open);
+    card(ui, entry, {at.x + static_cast<float>(column) * (wide + gap), at.y + static_cast<float>(row) * (high + ui.px(4))}, {wide, high}, open);
   }
   if (entries.empty()) {
     ImGui::PushTextWrapPos(0);

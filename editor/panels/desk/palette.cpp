@@ -2,7 +2,6 @@
 
 #include "editor/panels/actions.h"
 #include "editor/panels/desk/sheets.h"
-#include "editor/script/parser.h"
 #include "editor/ui/controls.h"
 #include "editor/ui/slider.h"
 
@@ -48,7 +47,7 @@ int rankOf(const std::string& name, const std::string& typed) {
 void addActions(const PanelContext& ui, std::vector<Entry>& out) {
   for (const Action& action : actions()) {
     if (!action.here(ui) || (action.enabled != nullptr && !action.enabled(ui))) continue;
-    out.push_back({std::string(action.label), std::string(action.label), std::string(action.menu), action.shortcut.empty() ? std::string() : keyText(*parseKeyStroke(action.shortcut)),
+    out.push_back({std::string(action.label), std::string(action.label), std::string(action.menu), shortcutText(action),
                    [&ui, run = action.run] { run(ui); }});
   }
 }
