@@ -3,6 +3,7 @@
 #include "editor/mission/contours.h"
 #include "editor/mission/objects.h"
 
+#include <npsee/terrain.h>
 #include <npsee/vec3.h>
 
 #include <imgui.h>
@@ -45,7 +46,7 @@ struct MissionUi {
     double centre_x = 0.0, centre_z = 0.0, metre_per_px = 1.0;
     GroundMap map;                          ///< of the part shown, kept while that stays
     Place map_from, map_to;
-    const void* map_of = nullptr;
+    std::optional<Terrain> map_of;          ///< held, so that no other ground can come to lie where it lay
   } plan;
 
   /// A thing being dragged over the ground.
@@ -57,7 +58,6 @@ struct MissionUi {
   } drag;
 
   struct EventList {
-    std::size_t count = 0;                  ///< events that were filtered
     std::uint64_t recording = 0;
     std::vector<bool> kinds;
     std::string word;
@@ -79,8 +79,6 @@ struct MissionUi {
   } driving;
 
   ObjectRef seen;                           ///< the selected object; another one is scrolled into view
-  bool rename = false;                      ///< the selected object's name is being edited
-  std::string typed_number;                 ///< text of the form field being typed in
 };
 
 }  // namespace npsee::editor

@@ -141,9 +141,9 @@ void drawGround(const PanelContext& ui, const PlanView& view) {
   const Terrain& terrain = ui.session.mission().recording()->terrain;
   MissionUi::Plan& plan = ui.state.mission.plan;
   const Place from = view.place(view.box.at), to = view.place(view.box.end());
-  const void* const world = terrain.heights().data();
-  if (plan.map_of != world || plan.map_from != from || plan.map_to != to) {
-    plan.map_of = world;
+  // Recordings of one mission share their ground.
+  if (!plan.map_of || plan.map_of->heights().data() != terrain.heights().data() || plan.map_from != from || plan.map_to != to) {
+    plan.map_of = terrain;
     plan.map_from = from;
     plan.map_to = to;
     const float cell = ui.px(kCell_px);

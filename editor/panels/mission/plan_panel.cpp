@@ -37,7 +37,6 @@ void frameWorld(const PanelContext& ui, const Box& box) {
   plan.metre_per_px = std::max({1.25 * (high_x - low_x) / static_cast<double>(box.width), 1.25 * (high_z - low_z) / static_cast<double>(box.height), 400.0 / static_cast<double>(box.width)});
   plan.placed = true;
   plan.mission = mission.missionNumber();
-  plan.map_of = nullptr;  // another ground may lie where that of the mission before lay in memory
 }
 
 struct Thing {
