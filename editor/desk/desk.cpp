@@ -24,7 +24,7 @@ fs::path fileOf(const fs::path& folder, const char* name) { return folder.empty(
 Desk::Desk(const DeskFolders& folders, const fs::path& program, bool wait)
     : folders_(folders), wait_(wait), recovery_(fileOf(folders.state, "unsaved"), writer_), thumbnails_(folders.cache, program), exports_(program) {
   auto loaded = loadSettings(fileOf(folders_.settings, "settings.json"));
-  settings = saved_ = std::move(loaded.settings);
+  settings = saved_ = tried_ = std::move(loaded.settings);
   problem_ = std::move(loaded.problem);
 }
 
@@ -72,17 +72,22 @@ void Desk::noteMessages(const Notices& notices) {
 
 void Desk::saveSettings(double elapsed_s) {
   constexpr double kAfter_s = 1.0;  // one write for a drag of a bar
+  // What could not be written is not saved. It is tried again with the next change, and at the end: not again and again on a full disk.
+  if (writing_ != 0 && writer_.fateOf(writing_) == Writer::Fate::failed) saved_ = saved_before_;
+  if (writing_ != 0 && writer_.fateOf(writing_) != Writer::Fate::waiting) writing_ = 0;
   if (folders_.settings.empty() || settings == saved_) return;
   unsaved_s_ += elapsed_s;
-  if (unsaved_s_ < kAfter_s) return;
+  const bool ends = elapsed_s > 1e6;
+  if (unsaved_s_ < kAfter_s || (settings == tried_ && !ends)) return;
   unsaved_s_ = 0.0;
   // Another editor may have set something else meanwhile: only what was set here is written over it.
   const std::filesystem::path file = folders_.settings / "settings.json";
   writer_.wait();
   const auto text = readTextFile(file);
   const auto held = text ? parseSettings(*text, file.string()) : Expected<ReadSettings>(ReadSettings{settings, {}});
-  writer_.write(file, settingsText(held ? changedSettings(held->settings, saved_, settings) : settings));
-  saved_ = settings;
+  writing_ = writer_.write(file, settingsText(held ? changedSettings(held->settings, saved_, settings) : settings));
+  saved_before_ = std::exchange(saved_, settings);
+  tried_ = settings;
 }
 
 bool Desk::favourite(const fs::path& file) const { return std::ranges::find(settings.favourites, file.string()) != settings.favourites.end(); }

@@ -7,6 +7,7 @@
 #include "editor/desk/thumbnails.h"
 #include "editor/desk/writer.h"
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <string>
@@ -65,7 +66,9 @@ class Desk {
   double unwatched_s_ = 0.0;  ///< since the library was last looked at
   std::vector<FileStamp> library_stamps_;
   std::string problem_;      ///< found while starting, not yet told
-  Settings saved_;
+  Settings saved_, saved_before_;  ///< what the file holds of what was set here; before the last write
+  Settings tried_;                 ///< what was written last, or could not be
+  std::uint64_t writing_ = 0;      ///< the write that is not known to have succeeded; 0 = none
   double unsaved_s_ = 0.0;   ///< since the settings were changed
   std::string noted_file_, last_error_, last_note_;
   std::deque<Message> messages_;

@@ -1,5 +1,6 @@
 // What must not get lost, and what a preset takes along.
 
+#include "editor/desk/desk.h"
 #include "editor/desk/recovery.h"
 #include "editor/desk/settings.h"
 #include "editor/desk/thumbnails.h"
@@ -121,6 +122,33 @@ TEST(Settings, OfTwoEditorsKeepWhatEachHasChanged) {
   EXPECT_EQ(both.favourites, (std::vector<std::string>{"/b", "/theirs", "/mine"}));
   EXPECT_EQ(both.recent, (std::vector<std::string>{"/mine", "/a", "/theirs"}));
   EXPECT_EQ(editor::changedSettings(theirs, mine, mine), theirs) << "nothing was changed here";
+}
+
+TEST(Settings, ThatCouldNotBeWrittenAreWrittenWithTheNextChange) {
+  const test::TemporaryFolder folder;
+  editor::Session session({.library = {}, .wait_for_compile = true});
+  editor::Desk desk({folder / "config", {}, {}}, {}, true);
+  const auto pass = [&] {
+    for (int i = 0; i < 3; ++i) {
+      desk.update(1.0, session);
+      desk.finish(false);
+    }
+  };
+  const auto kept = [&] { return editor::loadSettings(folder / "config/settings.json").settings; };
+  desk.settings.left_width = 300;
+  pass();
+  ASSERT_EQ(kept().left_width, 300);
+  {
+    const FullDisk full;
+    desk.settings.light = true;
+    pass();
+    EXPECT_NE(session.notices.error.find("cannot be kept"), std::string::npos) << session.notices.error;
+  }
+  EXPECT_FALSE(kept().light);
+  desk.settings.left_width = 310;
+  pass();
+  EXPECT_EQ(kept().left_width, 310);
+  EXPECT_TRUE(kept().light) << "it was not on the disk yet";
 }
 
 TEST(Library, NamesLoseTheirEndingAndFilesAreReadOnceForEachChange) {
