@@ -102,6 +102,7 @@ void Desk::watchLibrary(double elapsed_s, Session& session) {
   unwatched_s_ += elapsed_s;
   if (unwatched_s_ < kEvery_s && !library_stamps_.empty()) return;
   unwatched_s_ = 0.0;
+  thumbnails_.lookAgain();
   std::vector<FileStamp> now;
   for (const fs::path& folder : {session.options().library, session.options().missions}) now.push_back(stampOf(folder));
   for (const auto* list : {&session.presets(), &session.missionFiles()})

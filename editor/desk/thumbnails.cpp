@@ -63,14 +63,16 @@ void Thumbnails::prune() const {
 
 fs::path Thumbnails::picture(const fs::path& preset) {
   auto known = known_.find(preset);
+  if (known != known_.end() && known->second.looked == looks_) return known->second.shown;
   if (known == known_.end() || known->second.stamps != stampsOf(known->second.files)) known = known_.insert_or_assign(preset, look(preset)).first;
-  const fs::path& picture = known->second.picture;
-  return picture.empty() || !there(picture) ? fs::path() : picture;
+  Known& now = known->second;
+  now.looked = looks_;
+  return now.shown = now.picture.empty() || !there(now.picture) ? fs::path() : now.picture;
 }
 
 Thumbnails::Known Thumbnails::look(const fs::path& file) {
   // Stamps first: what is written meanwhile is noticed later.
-  Known out{{file}, stampsOf({file}), {}};
+  Known out{{file}, stampsOf({file}), {}, {}, 0};
   auto text = readTextFile(file);
   if (!text) return out;
   out.picture = shippedPicture(file, *text);
@@ -115,6 +117,7 @@ void Thumbnails::update(bool wait) {
     if (child_ && wait) child_->wait();
     if (child_ && !child_->running()) {
       child_.reset();
+      lookAgain();
       std::error_code ignored;
       fs::remove_all(workFolder(), ignored);
     }

@@ -3,6 +3,7 @@
 #include "editor/desk/child.h"
 #include "editor/document/file_stamp.h"
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -22,6 +23,8 @@ class Thumbnails {
 
   /// The picture of a preset file; empty while there is none. Asking for it is asking to have it made.
   std::filesystem::path picture(const std::filesystem::path& preset);
+  /// Files are looked at once for all that ask until the next call: a library asks for each of its pictures in every frame.
+  void lookAgain() { ++looks_; }
   /// Starts and collects renderings; `wait` until all are done.
   void update(bool wait);
   bool busy() const { return child_.has_value() || !wanted_.empty(); }
@@ -31,6 +34,8 @@ class Thumbnails {
     std::vector<std::filesystem::path> files;  ///< that the picture is of: the preset's, and those of its models
     std::vector<FileStamp> stamps;             ///< of each
     std::filesystem::path picture;  ///< where it is, or will be; empty = cannot be had
+    std::filesystem::path shown;    ///< the same if it was there
+    std::uint64_t looked = 0;       ///< the number of that look; 0 = none yet
   };
   struct Job {
     std::string text;  ///< of the preset
@@ -46,6 +51,7 @@ class Thumbnails {
   std::map<std::filesystem::path, Known> known_;
   std::set<std::filesystem::path> asked_;  ///< pictures waited for, or that could not be made
   std::deque<Job> wanted_;
+  std::uint64_t looks_ = 1;
   std::optional<Child> child_;
   Job now_;
 };

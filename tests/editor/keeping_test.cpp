@@ -297,6 +297,7 @@ TEST_F(OwnModel, HasAnotherThumbnailAfterAChangeOfItsColoursAlone) {
   editor::Thumbnails thumbnails(folder_ / "cache", test::npseePath());
   const auto picture = [&](const std::string& colour) {
     test::spill(folder_ / "made/box.mtl", "newmtl red\nKd " + colour + "\n");
+    thumbnails.lookAgain();
     thumbnails.picture(file);
     thumbnails.update(true);
     return thumbnails.picture(file);

@@ -64,6 +64,9 @@ TEST_F(MissionSessions, AMissionThatCannotBeSimulatedIsAMessageAndTheLastGoodOne
   EXPECT_EQ(mission.recording(), good);
   EXPECT_NE(session.notices.error.find("999"), std::string::npos) << session.notices.error;
   EXPECT_NE(session.notices.error.find("last good"), std::string::npos);
+  session.undo();
+  session.update(0.0);
+  EXPECT_EQ(session.notices.error, "") << "what is shown is right again";
 }
 
 TEST_F(MissionSessions, WithAPersonInTheLoopTheFutureIsNotSimulated) {
