@@ -21,10 +21,10 @@ namespace npsee::commands {
 namespace {
 
 struct Options {
-  std::string file, until, seed, record, format = "text";
+  std::string file, until, seed, record, format;  ///< empty = text
   std::vector<std::string> settings;
   bool expect = false, quiet = false;
-  int monte_carlo = 0, jobs = 0;
+  std::optional<int> monte_carlo, jobs;
   MissionPictureOptions pictures;
 };
 
@@ -89,10 +89,11 @@ int runOnce(const Options& options, const Scenario& scenario, std::optional<doub
 
 /// Runs with seeds from the scenario's own upward, spread over threads; results stand by seed, so the table does not depend on them.
 int runMany(const Options& options, const Scenario& scenario, std::optional<double> until) {
-  const auto runs = static_cast<std::size_t>(options.monte_carlo);
+  const auto runs = static_cast<std::size_t>(*options.monte_carlo);
   std::vector<MissionOutcome> outcomes(runs);
   std::vector<std::optional<Error>> errors(runs);
-  const int threads = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int wanted = options.jobs.value_or(0);
+  const int threads = wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   parallelFor(threads, runs, [&](std::size_t i) {
     Scenario one = scenario;
     one.seed += static_cast<std::int64_t>(i);
@@ -107,6 +108,19 @@ int runMany(const Options& options, const Scenario& scenario, std::optional<doub
   return std::all_of(outcomes.begin(), outcomes.end(), [](const MissionOutcome& o) { return o.expectations_met; }) ? 0 : 1;
 }
 
+/// What has no use without --monte-carlo, or with it, is refused: nothing that was asked for is left out without a word.
+Expected<void> checkUse(const Options& options, const MissionPicturePlan& pictures) {
+  if (!options.monte_carlo) {
+    if (options.jobs) return fail(ErrorKind::usage, "--jobs is the number of threads of --monte-carlo, and one mission runs on one.", "Leave it out, or add --monte-carlo N.");
+    if (!options.format.empty()) return fail(ErrorKind::usage, "--format " + options.format + " is that of the summary of --monte-carlo; a log is JSON lines.", "Leave it out, or add --monte-carlo N.");
+    return {};
+  }
+  if (*options.monte_carlo < 1 || *options.monte_carlo > kMaxRuns) return fail(ErrorKind::usage, "--monte-carlo takes 1 to " + std::to_string(kMaxRuns) + " runs.");
+  if (!pictures.renders.empty()) return fail(ErrorKind::usage, "--monte-carlo prints a summary of many runs and draws no pictures.", "Leave --render out, or run one seed with --seed.");
+  if (!options.record.empty()) return fail(ErrorKind::usage, "--monte-carlo prints a summary of many runs and records none.", "Leave --record out, or run one seed with --seed.");
+  return {};
+}
+
 int run(const Options& options) {
   std::optional<double> until;
   if (!options.until.empty()) {
@@ -114,15 +128,12 @@ int run(const Options& options) {
     if (!time || *time < 0.0) return report({ErrorKind::usage, {{.what = "--until " + options.until + " is no time in seconds.", .remedy = "For example --until 120.", .file = {}, .line = 0, .pointer = {}}}});
     until = *time;
   }
-  if (options.monte_carlo < 0 || options.monte_carlo > kMaxRuns)
-    return report({ErrorKind::usage, {{.what = "--monte-carlo takes 1 to " + std::to_string(kMaxRuns) + " runs.", .remedy = {}, .file = {}, .line = 0, .pointer = {}}}});
   const auto pictures = planMissionPictures(options.pictures);
   if (!pictures) return report(pictures.error());
-  if (options.monte_carlo > 0 && !pictures->renders.empty())
-    return report({ErrorKind::usage, {{.what = "--monte-carlo prints a summary of many runs and draws no pictures.", .remedy = "Leave --render out, or run one seed with --seed.", .file = {}, .line = 0, .pointer = {}}}});
+  if (auto sensible = checkUse(options, *pictures); !sensible) return report(sensible.error());
   const auto scenario = chosenScenario(options);
   if (!scenario) return report(scenario.error());
-  return options.monte_carlo > 0 ? runMany(options, *scenario, until) : runOnce(options, *scenario, until, *pictures);
+  return options.monte_carlo ? runMany(options, *scenario, until) : runOnce(options, *scenario, until, *pictures);
 }
 
 }  // namespace

@@ -68,7 +68,18 @@ Expected<Wish> pictureWish(const ReplayOptions& options) {
   return wish;
 }
 
+/// Options that change nothing of what is asked for are refused.
+Expected<void> checkUse(const ReplayOptions& options) {
+  const bool drawn = !options.pictures.renders.empty() || !options.pictures.frames.empty();
+  if (drawn || (options.output.empty() && options.format.empty() && options.send.empty()))
+    for (const auto& [name, text] : {std::pair{"--step", &options.step}, {"--shell-step", &options.shell_step}})
+      if (!text->empty()) return fail(ErrorKind::usage, std::string(name) + ' ' + *text + " is that of an export or of --send, and none is asked for.", "Leave it out, or add -o FILE: " + std::string(kFormats) + ".");
+  if (!options.speed.empty() && options.send.empty()) return fail(ErrorKind::usage, "--speed " + options.speed + " is that of --send, and nothing is sent.", "Leave it out, or add --send 127.0.0.1:3000.");
+  return {};
+}
+
 Expected<Wish> wishOf(const ReplayOptions& options) {
+  if (auto sensible = checkUse(options); !sensible) return tl::unexpected<Error>(sensible.error());
   if (!options.pictures.renders.empty() || !options.pictures.frames.empty() || !options.pictures.fps.empty() || !options.pictures.quality.empty()) return pictureWish(options);
   Wish wish;
   if (!options.at.empty()) {
@@ -160,10 +171,10 @@ void addReplay(CLI::App& app, Outcome& outcome) {
   command->add_flag("--events", options->events, "Print the event log, one JSON object per line");
   command->add_option("--format", options->format, "Of the export: acmi, csv or dis; by the name of OUT without it")->type_name("FORMAT");
   command->add_option("-o,--output", options->output, "Write the export here (*.acmi, *.csv, *.pcap; - for standard output), or the picture of --render (*.png)")->type_name("OUT");
-  command->add_option("--step", options->step, "Between two samples of what drives (1 s)")->type_name("S");
-  command->add_option("--shell-step", options->shell_step, "Between two samples of shells (0.25 s)")->type_name("S");
+  command->add_option("--step", options->step, "Between two samples of what drives, of an export or --send (1 s)")->type_name("S");
+  command->add_option("--shell-step", options->shell_step, "Between two samples of shells, likewise (0.25 s)")->type_name("S");
   command->add_option("--send", options->send, "Send DIS packets over UDP to this machine, e.g. 127.0.0.1:3000")->type_name("HOST[:PORT]");
-  command->add_option("--speed", options->speed, "Times real time at which packets are sent, or max (1)")->type_name("N");
+  command->add_option("--speed", options->speed, "Times real time at which --send sends packets, or max (1)")->type_name("N");
   addMissionPictureOptions(*command, options->pictures);
   command->footer(
       "Without options a summary is printed. The keys of --render are listed by `npsee mission --help`.\n"

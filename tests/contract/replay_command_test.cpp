@@ -96,6 +96,10 @@ TEST_F(ReplayCommand, RefusesWhatMakesNoSenseBeforeReadingTheFile) {
   expectRefused({"--send", "192.0.2.1:3000"}, 2, "packets are sent to this machine only");
   expectRefused({"--send", "127.0.0.1:99999"}, 2, "is no port");
   expectRefused({"--send", "127.0.0.1", "--speed", "0"}, 2, "above 0, or max");
+  expectRefused({"--step", "2"}, 2, "--step 2 is that of an export or of --send, and none is asked for.");
+  expectRefused({"--shell-step", "2", "--at", "3"}, 2, "--shell-step 2 is that of an export");
+  expectRefused({"--step", "2", "--render", "t=3", "-o", folder_ / "a.png"}, 2, "--step 2 is that of an export");
+  expectRefused({"--speed", "max", "-o", folder_ / "a.csv"}, 2, "--speed max is that of --send, and nothing is sent.");
   expectRefused({"--format", "csv", "-o", folder_ / "no/such/folder.csv"}, 5, "cannot be written");
   const auto missing = npseeRun({"replay", folder_ / "none.jsonl"});
   EXPECT_EQ(missing.exit_code, 3);

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace npsee {
 namespace {
 
@@ -35,6 +37,30 @@ TEST(MissionCommand, TheRecordingAndThePictureAreWrittenThoughNobodyTakesTheLog)
   EXPECT_EQ(done.exit_code, 5) << done.err;
   EXPECT_EQ(test::npseeRun({"replay", folder / "run.rec"}).exit_code, 0);
   EXPECT_TRUE(test::slurp(folder / "seen.png").starts_with("\x89PNG"));
+}
+
+TEST(MissionCommand, WhatHasNoUseBesideOrWithoutMonteCarloIsRefused) {
+  const test::TemporaryFolder folder;
+  const struct {
+    std::vector<std::string> arguments;
+    std::string message;
+  } cases[] = {
+      {{"--monte-carlo", "3", "--record", folder / "run.rec"}, "--monte-carlo prints a summary of many runs and records none."},
+      {{"--monte-carlo", "0"}, "--monte-carlo takes 1 to "},
+      {{"--monte-carlo", "-1"}, "--monte-carlo takes 1 to "},
+      {{"--jobs", "2"}, "--jobs is the number of threads of --monte-carlo"},
+      {{"--format", "json"}, "--format json is that of the summary of --monte-carlo"},
+  };
+  for (const auto& one : cases) {
+    std::vector<std::string> arguments{"mission", kSource + "/assets/missions/thesis_default.mission.json", "--until", "5"};
+    arguments.insert(arguments.end(), one.arguments.begin(), one.arguments.end());
+    const auto done = test::npseeRun(arguments);
+    EXPECT_EQ(done.exit_code, 2) << one.arguments[0] << '\n' << done.err;
+    EXPECT_NE(done.err.find(one.message), std::string::npos) << done.err;
+    EXPECT_EQ(done.out, "");
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.rec"));
+  EXPECT_EQ(test::npseeRun({"mission", kSource + "/assets/missions/thesis_default.mission.json", "--until", "5", "--monte-carlo", "1", "--jobs", "0", "--format", "text"}).exit_code, 0);
 }
 
 TEST(ParamsCommand, ShowsTheKeysOfMissions) {
