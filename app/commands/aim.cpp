@@ -83,8 +83,9 @@ std::vector<Found> solutions(const Aimer& aimer, const AimOptions& options, cons
   return found;
 }
 
-std::string answerJson(const Aimer& aimer, const Ranges& ranges, bool reachable, const std::vector<Found>& found, const Projectile& projectile) {
-  ordered_json out{{"range_m", ranges.wanted_m}, {"laid_range_m", ranges.laid_m}, {"reachable", reachable}, {"max_range_m", aimer.maxRange()}, {"max_range_elevation_rad", aimer.maxRangeElevation()}, {"solutions", ordered_json::array()}};
+/// `aimer` is null where no elevation reaches the target's height.
+std::string answerJson(const Aimer* aimer, const Ranges& ranges, bool reachable, const std::vector<Found>& found, const Projectile& projectile) {
+  ordered_json out{{"range_m", ranges.wanted_m}, {"laid_range_m", ranges.laid_m}, {"reachable", reachable}, {"max_range_m", aimer != nullptr ? aimer->maxRange() : 0.0}, {"max_range_elevation_rad", aimer != nullptr ? aimer->maxRangeElevation() : 0.0}, {"solutions", ordered_json::array()}};
   for (const Found& f : found)
     if (f.solution) out["solutions"].push_back(solutionJson(f, projectile));
   return out.dump(2) + '\n';
@@ -104,13 +105,20 @@ int aim(const AimOptions& options) {
   if (!ranges) return report(ranges.error());
   const auto ballistics = firing->ballistics();
   if (!ballistics) return report(ballistics.error());
+  if (const auto sound = Aimer::check(*ballistics, firing->aimRequest()); !sound) return report(sound.error());
   const auto aimer = Aimer::make(*ballistics, firing->aimRequest());
-  if (!aimer) return report(aimer.error());
+  if (!aimer) {
+    // Higher than the shell flies is out of reach as well.
+    if (options.json)
+      if (const int code = writeResult(answerJson(nullptr, *ranges, false, {}, firing->projectile)); code != 0) return code;
+    const int code = report(aimer.error());
+    return ranges->laid_m > 0.0 ? 1 : code;
+  }
 
   const auto reach = aimer->checkReach(ranges->laid_m);
   const std::vector<Found> found = reach ? solutions(*aimer, options, *ranges) : std::vector<Found>();
   if (options.json) {
-    if (const int code = writeResult(answerJson(*aimer, *ranges, static_cast<bool>(reach), found, firing->projectile)); code != 0) return code;
+    if (const int code = writeResult(answerJson(&*aimer, *ranges, static_cast<bool>(reach), found, firing->projectile)); code != 0) return code;
   } else if (reach) {
     if (const int code = writeResult(answerText(*aimer, *firing, *ranges, options.use_legacy, found)); code != 0) return code;
   }

@@ -338,6 +338,10 @@ TEST(AimCommand, OutOfReachIsANegativeAnswerThatNamesTheMaximum) {
   const json answer = json::parse(as_json.out);
   EXPECT_FALSE(answer["reachable"].get<bool>());
   EXPECT_NEAR(answer["max_range_m"], 7310.0, 20.0);
+  const ProcessResult high = npseeRun({"aim", "--charge", "3W", "--range", "5000", "--height-of-target", "9000", "--json"});
+  EXPECT_EQ(high.exit_code, 1);
+  EXPECT_FALSE(json::parse(high.out)["reachable"].get<bool>());
+  EXPECT_EQ(json::parse(high.out)["solutions"].size(), 0u);
   EXPECT_TRUE(answer["solutions"].empty());
 }
 
@@ -355,7 +359,7 @@ TEST(AimCommand, EveryMistakeIsNamedWithItsRemedy) {
       {{"aim", "--charge", "3W", "--range", "far"}, 2, "--range: \"far\" is not a finite number."},
       {{"aim", "--charge", "3W", "--range", "5000", "--solution", "middle"}, 2, "--solution: there is no \"middle\".\n  It is low, high or both."},
       {{"aim", "--charge", "3W", "--range", "5000", "--legacy-step", "0"}, 2, "--legacy-step 0: the step lies between 1 and 10000 m."},
-      {{"aim", "--charge", "3W", "--range", "5000", "--height-of-target", "9000"}, 2, "no elevation brings the shell down on a target 9000 m above the muzzle."},
+      {{"aim", "--charge", "3W", "--range", "5000", "--height-of-target", "9000"}, 1, "no elevation brings the shell down on a target 9000 m above the muzzle."},
       {{"aim", "--range", "5000"}, 2, "no muzzle velocity is given."},
   });
 }
