@@ -1,17 +1,14 @@
 #include "editor/measure.h"
 
+#include "sim/core/text.h"
+
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace npsee::editor {
 namespace {
 
-std::string figure(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
+std::string figure(double value) { return withDecimals(value, 1); }
 
 /// Which qualities were shown, and in how many frames of a hundred each.
 std::string qualities(const std::vector<FrameTimes>& frames) {

@@ -1,5 +1,6 @@
 #include "app/commands/command.h"
 #include "app/commands/shot_options.h"
+#include "sim/core/text.h"
 
 #include <npsee/aiming.h>
 
@@ -48,9 +49,9 @@ std::string solutionText(const Found& found, const Projectile& projectile) {
   if (!found.solution) return label + "none: this branch does not reach so near\n";
   const AimSolution& s = *found.solution;
   const double correction = s.azimuth_correction_rad * 3200.0 / kPi;
-  std::string out = label + "elevation " + fixed(s.shot.elevation_rad * 3200.0 / kPi, 2) + " mil (" + fixed(s.shot.elevation_rad * 180.0 / kPi, 3) + " deg), azimuth " + fixed(correction < 0 ? -correction : correction, 2) +
-                    " mil " + (correction < 0 ? "left" : "right") + ", " + fixed(s.flight.time_of_flight_s, 1) + " s, summit " + fixed(s.flight.max_ordinate_m, 0) + " m, angle of fall " +
-                    fixed(s.flight.angle_of_fall_rad * 3200.0 / kPi, 0) + " mil, miss " + fixed(s.miss_m, 2) + " m\n";
+  std::string out = label + "elevation " + withDecimals(s.shot.elevation_rad * 3200.0 / kPi, 2) + " mil (" + withDecimals(s.shot.elevation_rad * 180.0 / kPi, 3) + " deg), azimuth " + withDecimals(correction < 0 ? -correction : correction, 2) +
+                    " mil " + (correction < 0 ? "left" : "right") + ", " + withDecimals(s.flight.time_of_flight_s, 1) + " s, summit " + withDecimals(s.flight.max_ordinate_m, 0) + " m, angle of fall " +
+                    withDecimals(s.flight.angle_of_fall_rad * 3200.0 / kPi, 0) + " mil, miss " + withDecimals(s.miss_m, 2) + " m\n";
   for (const std::string& doubt : doubtTexts(s.flight, projectile)) out += "        NOT VALID: " + doubt + '\n';
   return out;
 }
@@ -92,8 +93,8 @@ std::string answerJson(const Aimer* aimer, const Ranges& ranges, bool reachable,
 }
 
 std::string answerText(const Aimer& aimer, const Firing& firing, const Ranges& ranges, bool legacy, const std::vector<Found>& found) {
-  std::string text = describe(firing) + "  range " + fixed(ranges.wanted_m, 1) + " m" + (legacy ? ", laid for " + fixed(ranges.laid_m, 1) + " m" : "") + "; the maximum is " + fixed(aimer.maxRange(), 1) + " m at " +
-                     fixed(aimer.maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
+  std::string text = describe(firing) + "  range " + withDecimals(ranges.wanted_m, 1) + " m" + (legacy ? ", laid for " + withDecimals(ranges.laid_m, 1) + " m" : "") + "; the maximum is " + withDecimals(aimer.maxRange(), 1) + " m at " +
+                     withDecimals(aimer.maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
   for (const Found& f : found) text += solutionText(f, firing.projectile);
   return text;
 }

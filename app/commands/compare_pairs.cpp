@@ -2,6 +2,7 @@
 
 #include "app/render/exr.h"
 #include "sim/core/files.h"
+#include "sim/core/text.h"
 
 #include <nlohmann/json.hpp>
 #include <npsee/units.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <system_error>
 
@@ -111,9 +111,7 @@ std::string colourText(const std::array<double, 4>& levels) {
 }  // namespace
 
 std::string rounded(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  std::string out = text;
+  std::string out = withDecimals(value, digits);
   if (out.find('.') == std::string::npos) return out;
   while (out.back() == '0') out.pop_back();
   if (out.back() == '.') out.pop_back();

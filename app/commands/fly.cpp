@@ -2,6 +2,7 @@
 #include "app/commands/shot_options.h"
 
 #include "sim/core/files.h"
+#include "sim/core/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -52,20 +53,20 @@ ordered_json flightJson(const Firing& firing, const Shot& shot, const Flight& f)
   return out;
 }
 
-std::string angleText(double rad) { return fixed(rad * 3200.0 / kPi, 1) + " mil (" + fixed(rad * 180.0 / kPi, 2) + " deg)"; }
+std::string angleText(double rad) { return withDecimals(rad * 3200.0 / kPi, 1) + " mil (" + withDecimals(rad * 180.0 / kPi, 2) + " deg)"; }
 
 std::string summary(const Firing& firing, const Shot& shot, const Flight& f) {
   std::string out = describe(firing);
   const auto row = [&](const char* label, const std::string& value) { out += "  " + std::string(label) + std::string(20 - std::string_view(label).size(), ' ') + value + '\n'; };
   row("elevation", angleText(shot.elevation_rad));
-  row("range", fixed(f.range_m, 1) + " m");
-  row("drift", fixed(f.drift_m, 1) + " m to the right");
-  row("time of flight", fixed(f.time_of_flight_s, 2) + " s");
-  row("maximum ordinate", fixed(f.max_ordinate_m, 1) + " m at " + fixed(f.apex_time_s, 2) + " s, " + fixed(f.apex_range_m, 1) + " m");
+  row("range", withDecimals(f.range_m, 1) + " m");
+  row("drift", withDecimals(f.drift_m, 1) + " m to the right");
+  row("time of flight", withDecimals(f.time_of_flight_s, 2) + " s");
+  row("maximum ordinate", withDecimals(f.max_ordinate_m, 1) + " m at " + withDecimals(f.apex_time_s, 2) + " s, " + withDecimals(f.apex_range_m, 1) + " m");
   row("angle of fall", angleText(f.angle_of_fall_rad));
-  row("impact speed", fixed(f.impact_speed_mps, 1) + " m/s");
-  row("spin", fixed(f.spin_muzzle_radps, 1) + " rad/s at the muzzle, " + fixed(f.spin_impact_radps, 1) + " at the impact");
-  row("greatest yaw", fixed(f.yaw_max_rad * 180.0 / kPi, 2) + " deg");
+  row("impact speed", withDecimals(f.impact_speed_mps, 1) + " m/s");
+  row("spin", withDecimals(f.spin_muzzle_radps, 1) + " rad/s at the muzzle, " + withDecimals(f.spin_impact_radps, 1) + " at the impact");
+  row("greatest yaw", withDecimals(f.yaw_max_rad * 180.0 / kPi, 2) + " deg");
   row("evaluations", std::to_string(f.evaluations) + " in " + std::to_string(f.steps) + " steps");
   const auto doubts = doubtTexts(f, firing.projectile);
   row("valid", doubts.empty() ? "yes" : "NO: " + doubts.front());
@@ -119,7 +120,7 @@ int fly(const FlyOptions& options) {
     if (const int code = writeResult(flightJson(*firing, shot, flight).dump(2) + '\n'); code != 0) return code;
   }
   if (flight.end != FlightEnd::impact) {
-    report(fail(ErrorKind::usage, "the shell never comes down on a surface " + shortest(firing->conditions.target_height_m) + " m above the muzzle (summit " + fixed(flight.max_ordinate_m, 1) + " m).",
+    report(fail(ErrorKind::usage, "the shell never comes down on a surface " + shortest(firing->conditions.target_height_m) + " m above the muzzle (summit " + withDecimals(flight.max_ordinate_m, 1) + " m).",
                 "Raise the elevation, or lower the target with --height-of-target.").value());
     return 1;
   }

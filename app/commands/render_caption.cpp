@@ -4,7 +4,6 @@
 #include "sim/core/text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -40,9 +39,7 @@ Expected<void> checkCaption(const std::string& pattern) {
 std::string captionOf(const std::string& pattern, const Preset& preset, const std::string& file, const Shot& shot) {
   std::string out;
   walk(pattern, [&](std::string_view text) { out += text; }, [&](std::string_view word) {
-    char time[40];
-    std::snprintf(time, sizeof time, "%.2f", shot.time_s);
-    if (word == "time") out += time;
+    if (word == "time") out += withDecimals(shot.time_s, 2);
     else if (word == "frame") out += std::to_string(shot.number);
     else if (word == "seed") out += std::to_string(preset.seed);
     else if (word == "title") out += preset.title.empty() ? presetName(file) : preset.title;

@@ -295,16 +295,10 @@ std::string describe(const Firing& f) {
 
 std::vector<std::string> doubtTexts(const Flight& flight, const Projectile& projectile) {
   std::vector<std::string> out;
-  if (flight.doubts & doubt_elevation) out.push_back("steeper than " + fixed(projectile.valid_elevation_rad * 3200.0 / kPi, 0) + " mil, where the yaw of repose grows beyond the model");
+  if (flight.doubts & doubt_elevation) out.push_back("steeper than " + withDecimals(projectile.valid_elevation_rad * 3200.0 / kPi, 0) + " mil, where the yaw of repose grows beyond the model");
   if (flight.doubts & doubt_yaw) out.push_back("the yaw of repose reached its limit of " + shortest(kYawClamp_rad) + " rad");
   if (flight.doubts & doubt_mach) out.push_back("faster than the coefficient tables reach; their last value was held");
   return out;
-}
-
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
 }
 
 }  // namespace npsee::commands

@@ -56,7 +56,4 @@ std::string describe(const Firing& firing);
 /// Why a flight is flagged, e.g. "steeper than 1150 mil"; empty where it is not.
 std::vector<std::string> doubtTexts(const Flight& flight, const Projectile& projectile);
 
-/// printf of one number.
-std::string fixed(double value, int decimals);
-
 }  // namespace npsee::commands

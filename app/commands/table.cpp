@@ -1,5 +1,6 @@
 #include "app/commands/command.h"
 #include "app/commands/shot_options.h"
+#include "sim/core/text.h"
 
 #include <npsee/aiming.h>
 #include <npsee/firing_table.h>
@@ -33,7 +34,7 @@ std::string cellText(const ordered_json& cell, int decimals, const char* missing
   if (cell.is_null()) return missing;
   if (cell.is_string()) return cell.get<std::string>();
   if (cell.is_boolean()) return cell.get<bool>() ? "yes" : "NO";
-  return decimals < 0 ? shortest(cell.get<double>()) : fixed(cell.get<double>(), decimals);
+  return decimals < 0 ? shortest(cell.get<double>()) : withDecimals(cell.get<double>(), decimals);
 }
 
 std::string asText(const std::vector<Column>& columns, const std::vector<Row>& rows) {
@@ -138,12 +139,12 @@ int rangeTable(const TableOptions& options, const Firing& firing) {
     beyond = beyond || range > aimer->maxRange();
     rows.push_back(std::move(row));
   }
-  std::string footer = "the maximum range is " + fixed(aimer->maxRange(), 1) + " m at " + fixed(aimer->maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
+  std::string footer = "the maximum range is " + withDecimals(aimer->maxRange(), 1) + " m at " + withDecimals(aimer->maxRangeElevation() * 3200.0 / kPi, 1) + " mil\n";
   return print(options.format, describe(firing) + (options.solution == "high" ? "high" : "low") + " solutions", columns, rows, footer);
 }
 
 /// Range and deflection as the thesis prints an impact.
-std::string impact(double range_m, double deflection_m) { return fixed(range_m, 0) + " / " + fixed(deflection_m, 1); }
+std::string impact(double range_m, double deflection_m) { return withDecimals(range_m, 0) + " / " + withDecimals(deflection_m, 1); }
 
 /// A row of the thesis beside our three flights.
 struct Comparison {
@@ -229,7 +230,7 @@ int thesisTable(const TableOptions& options) {
   }
   if (options.format != "text") return print(options.format, tables->title, kThesisNumbers, rows);
   return print("text", tables->title + "\nimpacts as range / deflection in m; errors in CEPs, hypot(range error, deflection error) / CEP\n", kThesisText, rows,
-               "worst row: unfitted " + fixed(worst_unfitted, 2) + " CEPs, fitted " + fixed(worst_fitted, 2) + " CEPs\n");
+               "worst row: unfitted " + withDecimals(worst_unfitted, 2) + " CEPs, fitted " + withDecimals(worst_fitted, 2) + " CEPs\n");
 }
 
 int table(TableOptions options) {

@@ -15,6 +15,18 @@ inline void drawPlainly() {
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
+/// The nearest of what is opaque is seen, from outside.
+inline void drawSolid() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glFrontFace(GL_CCW);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
 /// Premultiplied colours are laid over what is there. Whether depth is tested is the caller's to say; it is not written.
 inline void blendOver() {
   glEnable(GL_BLEND);

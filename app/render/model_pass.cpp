@@ -1,5 +1,6 @@
 #include "app/render/model_pass.h"
 
+#include "app/gl/state.h"
 #include "app/gl/vertices.h"
 
 #include <algorithm>
@@ -84,14 +85,7 @@ ModelPass::Placed ModelPass::placed(const ModelInstance& instance, const ModelPa
 }
 
 void ModelPass::draw(const std::vector<ModelInstance>& instances, const Vec3& eye, const View& view, const MissionLight& light) {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glEnable(GL_CULL_FACE);
-  glCullFace(GL_BACK);
-  glFrontFace(GL_CCW);
-  glDisable(GL_CLIP_DISTANCE0);
+  gl::drawSolid();
   program_.use();
   setView(program_, view);
   setLight(program_, light, eye);

@@ -1,5 +1,6 @@
 #include "app/render/terrain_pass.h"
 
+#include "app/gl/state.h"
 #include "app/gl/vertices.h"
 
 #include <algorithm>
@@ -153,14 +154,7 @@ void TerrainPass::prepare(Kind kind, const TerrainModel& model, const Vec3& eye,
 void TerrainPass::draw(const TerrainModel& model, const Vec3& eye, const View& view, int width, int height, const MissionLight& light, const TerrainLines& lines) {
   if (mapped_ != model.terrain().heights().data()) uploadMap(model);
   uploadMesh(model, frustumOf(eye, view, width, height), view);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glEnable(GL_CULL_FACE);
-  glCullFace(GL_BACK);
-  glFrontFace(GL_CCW);
-  glDisable(GL_CLIP_DISTANCE0);
+  gl::drawSolid();
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, noise_.name());
   glBindSampler(1, 0);

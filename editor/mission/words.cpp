@@ -1,5 +1,7 @@
 #include "editor/mission/words.h"
 
+#include "sim/core/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,11 +11,9 @@ namespace npsee::editor {
 namespace {
 
 std::string fixed(double value, int decimals) {
-  char text[48];
   const double tenth = decimals == 0 ? 0.5 : decimals == 1 ? 0.05 : 0.005;
   // No "-0".
-  std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < tenth ? 0.0 : value);
-  return text;
+  return withDecimals(std::abs(value) < tenth ? 0.0 : value, decimals);
 }
 
 std::string whole(double value) { return std::to_string(std::llround(std::clamp(value, -1e15, 1e15))); }

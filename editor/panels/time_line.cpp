@@ -1,18 +1,14 @@
 #include "editor/panels/panels.h"
 #include "editor/ui/time_track.h"
+#include "sim/core/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace npsee::editor {
 namespace {
 
-std::string seconds(double s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f s", s);
-  return text;
-}
+std::string seconds(double s) { return withDecimals(s, 2) + " s"; }
 
 /// The ends of what is looped, to be dragged, "loop:from" and "loop:to"; drawn and pressed before the track that lies under them.
 void dragRange(const PanelContext& ui, const TimeTrack& track) {

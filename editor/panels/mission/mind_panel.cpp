@@ -1,23 +1,17 @@
 #include "editor/panels/mission/panels.h"
 #include "editor/ui/controls.h"
+#include "sim/core/text.h"
 
 #include <npsee/units.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 namespace npsee::editor {
 namespace {
 
 using Kind = ObjectRef::Kind;
-
-std::string number(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 /// A label and what it is now.
 void fact(const PanelContext& ui, const std::string& label, const std::string& value, ImU32 colour = 0) {
@@ -49,14 +43,14 @@ void belief(const PanelContext& ui, const Recording& recording, const BeliefStep
   ui.item("belief:" + id);
   const Vec3 real = recording.vehiclePlace(target, t);
   const double error = std::hypot(real.x - step.believed_m.x, real.z - step.believed_m.z), range = std::hypot(step.believed_m.x - eye.x, step.believed_m.z - eye.z);
-  if (ui.resting("belief:" + id, "Hostile " + number(step.hostile, 2) + ", friendly " + number(step.friendly, 2) + "; believed at " + placeText(step.believed_m.x, step.believed_m.z) + ", " + distanceText(error) + " from where it is.")) tooltip(ui, ui.state.hint);
+  if (ui.resting("belief:" + id, "Hostile " + withDecimals(step.hostile, 2) + ", friendly " + withDecimals(step.friendly, 2) + "; believed at " + placeText(step.believed_m.x, step.believed_m.z) + ", " + distanceText(error) + " from where it is.")) tooltip(ui, ui.state.hint);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, ui.theme.raised, ui.px(3));
   const float bar = ui.px(64), right = at.x + width;
   rowText({at.x + ui.px(4), at.y}, width - bar - ui.px(150), height, step.seen ? ui.theme.text : ui.theme.dim, id);
   ImGui::PushFont(ui.fonts.small);
   rowTextRight(right - bar - ui.px(64), at.y, height, ui.theme.dim, step.seen ? distanceText(range) : "lost");
-  rowTextRight(right - bar - ui.px(8), at.y, height, error < 0.5 ? ui.theme.dim : ui.theme.accent, error < 0.5 ? "exact" : "\u00b1" + number(error, 0) + " m");
+  rowTextRight(right - bar - ui.px(8), at.y, height, error < 0.5 ? ui.theme.dim : ui.theme.accent, error < 0.5 ? "exact" : "\u00b1" + withDecimals(error, 0) + " m");
   ImGui::PopFont();
   // Hostile from the left, friendly from the right, what is not known between them.
   const float y = at.y + std::floor(0.5f * height) - ui.px(3), x = right - bar;
@@ -127,11 +121,11 @@ void vehicleState(const PanelContext& ui, const Recording& recording, int index)
   heading(ui, "Now");
   fact(ui, "Place", placeText(pose.x_m, pose.z_m));
   fact(ui, "Height", distanceText(recording.terrain.surface(pose.x_m, pose.z_m)));
-  fact(ui, "Speed", number(pose.speed_mps, 1) + " m/s, " + number(pose.speed_mps * 3.6, 0) + " km/h");
-  fact(ui, "Heading", number(heading_mil, 0) + " mil");
+  fact(ui, "Speed", withDecimals(pose.speed_mps, 1) + " m/s, " + withDecimals(pose.speed_mps * 3.6, 0) + " km/h");
+  fact(ui, "Heading", withDecimals(heading_mil, 0) + " mil");
   const DamageStep* damage = vehicle.damageAt(t);
   const bool destroyed = vehicle.destroyedAt(t);
-  fact(ui, "Hull", damage == nullptr ? "unharmed" : destroyed ? "destroyed" : number(100.0 * (1.0 - damage->hull), 0) + " %", destroyed ? ui.theme.error : 0);
+  fact(ui, "Hull", damage == nullptr ? "unharmed" : destroyed ? "destroyed" : withDecimals(100.0 * (1.0 - damage->hull), 0) + " %", destroyed ? ui.theme.error : 0);
   if (damage != nullptr && !destroyed) {
     fact(ui, "Can move", damage->mobility ? "yes" : "no", damage->mobility ? 0 : ui.theme.error);
     fact(ui, "Can shoot", damage->firepower ? "yes" : "no", damage->firepower ? 0 : ui.theme.error);
@@ -162,8 +156,8 @@ void gunState(const PanelContext& ui, const Recording& recording, int index) {
   double mil = std::fmod(azimuth * kMilPerRad, 6400.0);
   if (mil < 0.0) mil += 6400.0;
   heading(ui, "Now");
-  fact(ui, "Elevation", number(elevation * kMilPerRad, 1) + " mil");
-  fact(ui, "Azimuth", number(mil, 1) + " mil");
+  fact(ui, "Elevation", withDecimals(elevation * kMilPerRad, 1) + " mil");
+  fact(ui, "Azimuth", withDecimals(mil, 1) + " mil");
   if (gun.battery >= 0 && gun.battery < static_cast<int>(recording.scenario.batteries.size())) {
     const int rounds = recording.scenario.batteries[static_cast<std::size_t>(gun.battery)].rounds;
     fact(ui, "Rounds left", std::to_string(std::max(0, rounds - fired)) + " of " + std::to_string(rounds), fired >= rounds ? ui.theme.error : 0);

@@ -1,9 +1,9 @@
 #include "editor/panels/mission/panels.h"
 #include "editor/ui/controls.h"
+#include "sim/core/text.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace npsee::editor {
 namespace {
@@ -28,12 +28,6 @@ constexpr std::array kColumns{
     Column{ShotColumn::miss, "miss m", "Distance from the burst to where the target was", 62, true, 0},
 };
 
-std::string number(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 std::string cell(const Shot& shot, ShotColumn column) {
   switch (column) {
     case ShotColumn::number: return std::to_string(shot.shell + 1);
@@ -41,11 +35,11 @@ std::string cell(const Shot& shot, ShotColumn column) {
     case ShotColumn::gun: return shot.gun;
     case ShotColumn::mission: return shot.mission > 0 ? std::to_string(shot.mission) : "direct";
     case ShotColumn::target: return shot.target.empty() ? "-" : shot.target;
-    case ShotColumn::elevation: return number(shot.elevation_mil, 1);
-    case ShotColumn::azimuth: return number(shot.azimuth_mil, 1);
-    case ShotColumn::tof: return number(shot.tof_s(), 1) + " s";
-    case ShotColumn::apex: return number(shot.apex_m, 0);
-    case ShotColumn::miss: return shot.miss_m ? number(*shot.miss_m, 1) : "-";
+    case ShotColumn::elevation: return withDecimals(shot.elevation_mil, 1);
+    case ShotColumn::azimuth: return withDecimals(shot.azimuth_mil, 1);
+    case ShotColumn::tof: return withDecimals(shot.tof_s(), 1) + " s";
+    case ShotColumn::apex: return withDecimals(shot.apex_m, 0);
+    case ShotColumn::miss: return shot.miss_m ? withDecimals(*shot.miss_m, 1) : "-";
   }
   return {};
 }
