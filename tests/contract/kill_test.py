@@ -69,6 +69,16 @@ class Kills(CommandLine):
         dice = random.Random(str(calls))
         return [1.05 * whole_s * dice.random() for _ in range(KILLS)]
 
+    @staticmethod
+    def until(moments, met):
+        """The moments, and shares of the last of them, each smaller, until what `met` asks for has happened: what was measured on a machine that was
+        busy just then tells little of the others."""
+        yield from moments
+        for step in range(1, 41):
+            if met():
+                return
+            yield max(moments) * 0.8**step if step < 40 else 0.0
+
     def outputs(self):
         """Files that are no inputs, and not what the editor remembers."""
         return {name: data for name, data in self.files().items() if not name.startswith((".kept/", "small.", "m.mission", "script."))}
@@ -89,7 +99,7 @@ class Kills(CommandLine):
         moments = self.moments(*[call])
         new = self.outputs()
         met = 0
-        for number, moment in enumerate(moments):
+        for number, moment in enumerate(self.until(moments, lambda: met > 0)):
             old = {name: b"old" for name in new} if number % 2 == 0 else {}
             for name in new:
                 self.write(name, b"old") if old else (self.folder / name).unlink(missing_ok=True)
@@ -156,7 +166,7 @@ class Kills(CommandLine):
         call = ("edit", "small.npsee.json", "--headless", "--remember", "--script", "script.txt")
         self.write("script.txt", script)
         offered = 0
-        for moment in self.moments(call):
+        for moment in self.until(self.moments(call), lambda: offered > 0):
             self.forget()
             self.preset(count=40, speed_mean=99)
             self.write("script.txt", script)
@@ -175,8 +185,7 @@ class Kills(CommandLine):
                 back = self.expect(0, self.run_npsee("edit", "--headless", "--remember", "--script", "script.txt", **self.places))
                 kept = max(kept, float(re.search(r"a\.speed_mean=([0-9.]+)", back.stdout)[1]))
             self.assertGreaterEqual(kept, reached, f"killed after {moment} s: what was on the screen half a second before is lost")
-        if KILLS >= 4:
-            self.assertGreater(offered, 0, "some were killed with unsaved work")
+        self.assertGreater(offered, 0, "some were killed with unsaved work")
 
     def speed_saved(self):
         import json
