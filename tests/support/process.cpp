@@ -35,6 +35,13 @@ namespace {
   ::_exit(127);
 }
 
+/// What takes longer hangs. Sanitizers make everything many times as slow.
+#ifdef NPSEE_SANITIZED
+constexpr std::chrono::minutes kPatience{20};
+#else
+constexpr std::chrono::minutes kPatience{2};
+#endif
+
 }  // namespace
 
 ProcessResult run(const std::string& program, const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment,
@@ -48,7 +55,7 @@ ProcessResult run(const std::string& program, const std::vector<std::string>& ar
 
   ProcessResult result;
   std::array<pollfd, 2> polls{pollfd{out[0], POLLIN, 0}, pollfd{err[0], POLLIN, 0}};
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
   int open = 2;
   while (open > 0) {
     if (::poll(polls.data(), polls.size(), 1000) < 0) break;
