@@ -40,7 +40,8 @@ class DebianPackage(unittest.TestCase):
 
     def npsee(self, *arguments):
         """The unpacked program, which must find its files beside itself; nothing of the source tree is in sight."""
-        environment = {"PATH": "/usr/bin:/bin", "HOME": str(self.work)}
+        # What sanitizers are told goes along: in it stands which leaks are the graphics driver's.
+        environment = {"PATH": "/usr/bin:/bin", "HOME": str(self.work), **{name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}}
         return run(self.root / "usr/bin/npsee", *arguments, cwd=self.work, env=environment)
 
     def listed(self):
@@ -113,6 +114,7 @@ class DebianPackage(unittest.TestCase):
             run("update-mime-database", mime)
             self.assertIn("*.mission.json", (mime / "globs").read_text())
 
+    @unittest.skipIf(os.environ.get("SANITIZED") == "1", "sanitizers want to be the first library that is loaded")
     def test_the_library_in_it_can_be_called(self):
         (library,) = (name for name in self.listed() if re.search(r"libnpsee\.so\.1$", name))
         rows = run("python3", SOURCE / "tests/consumer/particles.py", self.root / library, self.root / "usr/share/npsee/presets/classic_1993.npsee.json", "0.5").splitlines()
