@@ -27,6 +27,7 @@ bool there(const fs::path& file) {
 
 std::vector<FileStamp> stampsOf(const std::vector<fs::path>& files) {
   std::vector<FileStamp> out;
+  out.reserve(files.size());
   for (const fs::path& file : files) out.push_back(stampOf(file));
   return out;
 }

@@ -30,7 +30,7 @@ std::string materialFileOf(std::string_view obj) {
   for (std::size_t at = obj.find("mtllib "); at != std::string_view::npos; at = obj.find("mtllib ", at + 1)) {
     if (at > 0 && obj[at - 1] != '\n') continue;
     const std::size_t end = std::min(obj.find('\n', at), obj.size());
-    const std::string name(trimmed(obj.substr(at + 7, end - at - 7)));
+    std::string name(trimmed(obj.substr(at + 7, end - at - 7)));
     if (name.empty() || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos || name == "..") return {};
     return name;
   }
