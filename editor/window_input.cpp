@@ -11,8 +11,13 @@
 #include <vector>
 
 namespace npsee::editor {
+namespace {
 
-WindowInput::WindowInput(GLFWwindow* window) : window_(window), x_(-FLT_MAX), y_(-FLT_MAX) {
+bool isModifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+}  // namespace
+
+WindowInput::WindowInput(GLFWwindow* window) : window_(window), x_(-FLT_MAX), y_(-FLT_MAX), inside_(glfwGetWindowAttrib(window, GLFW_HOVERED) != GLFW_FALSE) {
   glfwSetWindowUserPointer(window, this);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   listen();
@@ -21,15 +26,23 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window), x_(-FLT_MAX), y_
 WindowInput::~WindowInput() {
   ImGui_ImplGlfw_Shutdown();
   glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetCursorEnterCallback(window_, nullptr);
+  glfwSetCharCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
   glfwSetWindowRefreshCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
 void WindowInput::listen() {
-  // The backend's own handlers of focus, wheel and characters stay; these three would lose what is shorter than a frame.
+  // The backend's own handlers of focus and wheel stay; these five would lose what is shorter than a frame, or its order.
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::character, .code = static_cast<int>(character)});
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->events_.push_back({.kind = Event::Kind::crossing, .action = entered});
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->exposed_ = true; });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
@@ -45,19 +58,30 @@ void WindowInput::listen() {
 
 void WindowInput::newFrame() {
   ImGui_ImplGlfw_NewFrame();
-  bool button_changed = false, moved = false;
+  ImGuiIO& io = ImGui::GetIO();
+  bool button_changed = false, key_pressed = false, moved = false;
   std::vector<int> keys;
   for (; !events_.empty(); events_.pop_front()) {
     const Event& event = events_.front();
     if (event.kind == Event::Kind::key) {
-      if (button_changed || std::ranges::find(keys, event.code) != keys.end()) break;
+      if (event.action == GLFW_REPEAT) continue;  // ImGui repeats by itself
+      // A key belongs to the modifiers of its moment, whichever of them is released first.
+      if (button_changed || key_pressed || std::ranges::find(keys, event.code) != keys.end()) break;
       keys.push_back(event.code);
+      key_pressed = event.action == GLFW_PRESS && !isModifier(event.code);
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.modifiers);
+      continue;
+    }
+    if (event.kind == Event::Kind::character) {
+      io.AddInputCharacter(static_cast<unsigned>(event.code));
       continue;
     }
     // A press belongs to the place and the keys of its moment, and a drag ends only after its last movement was seen.
     if (button_changed || (moved && event.kind == Event::Kind::button && event.action == GLFW_RELEASE)) break;
-    if (event.kind == Event::Kind::move) {
+    if (event.kind == Event::Kind::crossing) {
+      inside_ = event.action != GLFW_FALSE;
+      moved = true;
+    } else if (event.kind == Event::Kind::move) {
       x_ = event.x;
       y_ = event.y;
       moved = true;
@@ -66,9 +90,9 @@ void WindowInput::newFrame() {
       button_changed = true;
     }
   }
-  ImGuiIO& io = ImGui::GetIO();
-  const bool inside = glfwGetWindowAttrib(window_, GLFW_HOVERED) != GLFW_FALSE || std::ranges::find(down_, true) != down_.end();
-  io.MousePos = inside ? ImVec2(x_, y_) : ImVec2(-FLT_MAX, -FLT_MAX);
+  // A button is released where the pointer was then, though it may have left since.
+  const bool here = inside_ || button_changed || std::ranges::find(down_, true) != down_.end();
+  io.MousePos = here ? ImVec2(x_, y_) : ImVec2(-FLT_MAX, -FLT_MAX);
   std::ranges::copy(down_, io.MouseDown);
 }
 

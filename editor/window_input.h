@@ -10,8 +10,9 @@ struct GLFWwindow;
 
 namespace npsee::editor {
 
-/// ImGui's input from a window. Mouse and key events wait in a queue and are handed on so that no press is lost and every press
-/// happens where the pointer was, however slowly frames are drawn: a button or key changes at most once a frame.
+/// ImGui's input from a window. What the mouse and the keys do waits in a queue and is handed on so that no press is lost, every press
+/// happens where the pointer was and with the keys that were held, and text comes in the order it was typed, however slowly frames are
+/// drawn: a frame takes at most one press of a button and one of a key.
 class WindowInput {
  public:
   /// Needs the ImGui context; takes the window's callbacks and user pointer. Ended before the window is.
@@ -31,9 +32,10 @@ class WindowInput {
 
  private:
   struct Event {
-    enum class Kind { move, button, key } kind = Kind::move;
+    enum class Kind { move, crossing, button, key, character } kind = Kind::move;
     float x = 0.0f, y = 0.0f;
-    int code = 0, scancode = 0, action = 0, modifiers = 0;
+    int code = 0;  ///< of a button, a key or a character
+    int scancode = 0, action = 0, modifiers = 0;
   };
   void listen();
 
@@ -41,6 +43,7 @@ class WindowInput {
   std::deque<Event> events_;
   float x_, y_;
   std::array<bool, 3> down_{};
+  bool inside_;
   std::vector<std::filesystem::path> dropped_;
   bool exposed_ = true;
 };

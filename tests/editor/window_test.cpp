@@ -226,6 +226,28 @@ TEST_F(PresetWindow, LayersGoThroughTheClipboardToOtherProgramsAndBack) {
   EXPECT_GE(findLayer(*saved, "from_afar"), 0) << presetText(*saved);
 }
 
+TEST_F(PresetWindow, AClickCountsThoughThePointerHasLeftBeforeTheNextFrame) {
+  constexpr int kClicks = 5;
+  for (int i = 0; i < kClicks; ++i) {
+    point("button:step on");
+    // All in one call: the window hears of it at once.
+    display_.xdotool({"mousedown", "1", "mouseup", "1", "mousemove", "1279", "799"});
+  }
+  key("Control_L+q");
+  EXPECT_NEAR(number(state(), "time"), 0.8 + kClicks / 60.0, 1e-6) << "a step each";
+}
+
+TEST_F(PresetWindow, AShortcutCountsThoughItsModifierIsReleasedFirst) {
+  // All in one call, and parted by a click, so that the key and what follows it come in a frame of their own.
+  display_.xdotool({"mousedown", "2", "keydown", "--delay", "0", "Control_L", "mouseup", "2", "keydown", "--delay", "0", "q", "keyup", "--delay", "0", "Control_L", "keyup", "--delay", "0", "q"});
+  EXPECT_EQ(state().at("dirty"), "no");
+}
+
+TEST_F(PresetWindow, TextIsTakenInTheOrderItIsTyped) {
+  display_.xdotool({"key", "--delay", "0", "ctrl+p", "q", "u", "x", "BackSpace", "i", "t", "Return"});
+  EXPECT_EQ(state().at("dirty"), "no");
+}
+
 TEST_F(PresetWindow, RemembersItsSize) {
   display_.xdotool({"windowsize", "--sync", window_, "1010", "650"});
   key("Control_L+q");
