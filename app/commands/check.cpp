@@ -3,7 +3,6 @@
 #include "sim/core/file_kind.h"
 #include "sim/core/files.h"
 #include "sim/observer/mind.h"
-#include "sim/world/recording_file.h"
 #include "sim/world/scenario_files.h"
 
 #include <npsee/explosion.h>
@@ -87,13 +86,13 @@ Expected<void> readWhole(const fs::path& file) {
   if (file.extension() == ".dat") return lift(loadWeapons(file));
   if (named(file, ".mission.json")) return readMission(file);
   if (!named(file, ".npsee.json"))
-    if (const auto text = readTextFile(file, world::kMaxRecordingFile)) switch (fileKindOf(*text)) {
-        case FileKind::projectile: return lift(parseProjectile(*text, file.string()));
-        case FileKind::mission: return readMission(file);
-        case FileKind::recording: return lift(loadRecording(file));
-        case FileKind::preset:
-        case FileKind::other: break;
-      }
+    switch (fileKindAt(file)) {
+      case FileKind::projectile: return lift(loadProjectile(file));
+      case FileKind::mission: return readMission(file);
+      case FileKind::recording: return lift(loadRecording(file));
+      case FileKind::preset:
+      case FileKind::other: break;
+    }
   return readPreset(file);
 }
 

@@ -2,7 +2,6 @@
 
 #include "editor/document/document.h"
 #include "sim/core/file_kind.h"
-#include "sim/core/files.h"
 
 #include <algorithm>
 #include <utility>
@@ -56,8 +55,7 @@ Expected<void> takeFilesAlong(const Scenario& scenario, const fs::path& folder) 
 bool isMissionFile(const fs::path& path) {
   const std::string name = path.filename().string();
   if (name.ends_with(kMissionEnding) || name.ends_with(kPresetEnding)) return name.ends_with(kMissionEnding);
-  const auto text = readTextFile(path);
-  return text && fileKindOf(*text) == FileKind::mission;
+  return fileKindAt(path) == FileKind::mission;
 }
 
 Scenario MissionSnapshot::fresh() {

@@ -169,10 +169,7 @@ Expected<Projectile> parse(std::string_view text, std::string_view file) {
 }  // namespace
 
 Expected<Projectile> parseProjectile(std::string_view text, std::string_view file) {
-  auto projectile = parse(text, file);
-  if (!projectile)
-    if (auto other = otherKind(text, file, FileKind::projectile)) return fail(ErrorKind::input, std::move(*other));
-  return projectile;
+  return readAs(FileKind::projectile, text, file, parse(text, file));
 }
 
 Expected<Projectile> loadProjectile(const std::filesystem::path& path) {

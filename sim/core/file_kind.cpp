@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string>
+#include <system_error>
 
 namespace npsee {
 namespace {
@@ -49,6 +51,16 @@ FileKind fileKindOf(std::string_view text) {
     return kind != FileKind::other;
   });
   return kind;
+}
+
+FileKind fileKindAt(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return FileKind::other;
+  std::string head(65536, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return fileKindOf(head);
 }
 
 std::optional<Fault> otherKind(std::string_view text, std::string_view file, FileKind wanted) {

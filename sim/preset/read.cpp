@@ -136,10 +136,7 @@ Expected<Preset> parse(std::string_view text, std::string_view name, const std::
 }  // namespace
 
 Expected<Preset> parsePreset(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
-  auto preset = parse(text, name, folder);
-  if (!preset)
-    if (auto other = otherKind(text, name, FileKind::preset)) return fail(ErrorKind::input, std::move(*other));
-  return preset;
+  return readAs(FileKind::preset, text, name, parse(text, name, folder));
 }
 
 Expected<Preset> loadPreset(const std::filesystem::path& path) {

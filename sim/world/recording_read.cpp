@@ -353,10 +353,7 @@ class Reader {
 Expected<Recording> loadRecording(const fs::path& path) {
   const auto text = readTextFile(path, world::kMaxRecordingFile);
   if (!text) return tl::unexpected<Error>(text.error());
-  auto recording = Reader(*text, path).run();
-  if (!recording)
-    if (auto other = otherKind(*text, path.string(), FileKind::recording)) return fail(ErrorKind::input, std::move(*other));
-  return recording;
+  return readAs(FileKind::recording, *text, path.string(), Reader(*text, path).run());
 }
 
 }  // namespace npsee

@@ -116,10 +116,7 @@ void placeFaults(const std::filesystem::path& mission_file, std::vector<Fault>& 
 
 Expected<Scenario> parseScenario(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
   // Without a folder there is nothing that paths could be relative to; who opens the files then sees whether they are there.
-  auto scenario = world::readScenario(text, name, folder, !folder.empty());
-  if (!scenario)
-    if (auto other = otherKind(text, name, FileKind::mission)) return fail(ErrorKind::input, std::move(*other));
-  return scenario;
+  return readAs(FileKind::mission, text, name, world::readScenario(text, name, folder, !folder.empty()));
 }
 
 Expected<Scenario> loadScenario(const std::filesystem::path& path) {
