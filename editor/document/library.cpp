@@ -21,12 +21,13 @@ const LibraryEntry& Library::entry(const fs::path& file) {
   const FileStamp stamp = stampOf(file);
   const auto known = known_.find(file);
   if (known != known_.end() && known->second.stamp == stamp) return known->second.entry;
+  const bool mission = isMissionFile(file);
   LibraryEntry out;
   const auto take = [&](const auto& document) {
-    if (document) out = {file, document->title, document->description, {}, true};
-    else out = {file, {}, document.error().text(), {}, false};
+    if (document) out = {file, document->title, document->description, {}, true, mission};
+    else out = {file, {}, document.error().text(), {}, false, mission};
   };
-  if (isMissionFile(file)) {
+  if (mission) {
     take(loadScenario(file));
   } else {
     const auto preset = loadPreset(file);

@@ -15,7 +15,7 @@ struct LibraryEntry {
   std::filesystem::path path;
   std::string title, description;
   std::string tags;  ///< of a preset, with commas
-  bool readable = true;
+  bool readable = true, mission = false;
 };
 
 /// A file's name without its ending (".npsee.json", ".mission.json", else what follows the last dot).

@@ -43,7 +43,8 @@ std::vector<const LibraryEntry*> listed(const PanelContext& ui) {
   } else {
     std::error_code ignored;
     for (const std::string& file : my.show == Show::recent ? ui.desk.settings.recent : ui.desk.settings.favourites)
-      if (isMissionFile(file) == ui.session.inMission() && fs::is_regular_file(file, ignored)) out.push_back(&ui.session.libraryEntry(file));
+      if (fs::is_regular_file(file, ignored))
+        if (const LibraryEntry& entry = ui.session.libraryEntry(file); entry.mission == ui.session.inMission()) out.push_back(&entry);
   }
   std::erase_if(out, [&](const LibraryEntry* entry) { return !matches(*entry, my); });
   return out;
@@ -113,7 +114,7 @@ void card(const PanelContext& ui, const LibraryEntry& entry, ImVec2 at, ImVec2 s
 
 /// A mission with its title over the file's name.
 void line(const PanelContext& ui, const LibraryEntry& entry, bool open) {
-  const std::string name = bareName(entry.path), item = (isMissionFile(entry.path) ? "mission:" : "preset:") + name;
+  const std::string name = bareName(entry.path), item = (entry.mission ? "mission:" : "preset:") + name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(44), inset = ui.px(10);
   const bool clicked = ImGui::InvisibleButton(item.c_str(), ImVec2(width, height));
