@@ -70,15 +70,14 @@ void Desk::noteMessages(const Notices& notices) {
   note(notices.note, last_note_, false);
 }
 
-void Desk::saveSettings(double elapsed_s) {
+void Desk::saveSettings(double elapsed_s, bool at_once) {
   constexpr double kAfter_s = 1.0;  // one write for a drag of a bar
   // What could not be written is not saved. It is tried again with the next change, and at the end: not again and again on a full disk.
   if (writing_ != 0 && writer_.fateOf(writing_) == Writer::Fate::failed) saved_ = saved_before_;
   if (writing_ != 0 && writer_.fateOf(writing_) != Writer::Fate::waiting) writing_ = 0;
   if (folders_.settings.empty() || settings == saved_) return;
   unsaved_s_ += elapsed_s;
-  const bool ends = elapsed_s > 1e6;
-  if (unsaved_s_ < kAfter_s || (settings == tried_ && !ends)) return;
+  if (!at_once && (unsaved_s_ < kAfter_s || settings == tried_)) return;
   unsaved_s_ = 0.0;
   // Another editor may have set something else meanwhile: only what was set here is written over it.
   const std::filesystem::path file = folders_.settings / "settings.json";
@@ -142,7 +141,7 @@ void Desk::settle(Session& session) {
 }
 
 void Desk::finish(bool asked) {
-  saveSettings(1e9);
+  saveSettings(0.0, true);
   if (asked) recovery_.finish();
   writer_.wait();
 }

@@ -54,7 +54,7 @@ class Desk {
   void noteMessages(const Notices& notices);
   void tell(const std::vector<Exports::Told>& told, Notices& notices);
   void noteFile(const Session& session);
-  void saveSettings(double elapsed_s);
+  void saveSettings(double elapsed_s, bool at_once = false);
   void watchLibrary(double elapsed_s, Session& session);
 
   DeskFolders folders_;

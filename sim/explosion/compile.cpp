@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <memory>
 #include <limits>
+#include <memory>
 
 namespace npsee::explosion {
 namespace {
