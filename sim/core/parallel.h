@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/core/memory_room.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -12,10 +14,11 @@
 namespace npsee {
 
 /// Calls `work(i)` for i in [0, count) on up to `threads` threads, this one included; returns when all are done. Which thread does
-/// which i is open, so `work` must write only what belongs to i. The first exception is thrown on. Where the system gives fewer threads, fewer do the
-/// same work.
+/// which i is open, so `work` must write only what belongs to i. The first exception is thrown on. Where the system gives fewer threads, or no room
+/// beside them, fewer do the same work.
 template <class Work>
 void parallelFor(int threads, std::size_t count, const Work& work) {
+  constexpr std::size_t kRoomForWork = 1u << 30;  // allocators set aside some dozen MiB for each of their threads
   const std::size_t helpers = threads > 1 && count > 1 ? std::min<std::size_t>(static_cast<std::size_t>(threads), count) - 1 : 0;
   if (helpers == 0) {
     for (std::size_t i = 0; i < count; ++i) work(i);
@@ -36,11 +39,14 @@ void parallelFor(int threads, std::size_t count, const Work& work) {
   {
     std::vector<std::jthread> pool;
     pool.reserve(helpers);
+    // What is used up here, memory or a number of threads, others need too: half of these go home.
+    const auto enough = [&] { allowed = pool.size() / 2; };
     try {
-      for (std::size_t ordinal = 1; ordinal <= helpers; ++ordinal) pool.emplace_back(loop, ordinal);
+      for (std::size_t ordinal = 1; ordinal <= helpers && allowed == helpers; ++ordinal)
+        if (hasRoom(kRoomForWork)) pool.emplace_back(loop, ordinal);
+        else enough();
     } catch (const std::system_error&) {
-      // What is used up here, memory or a number of threads, others need too: half of these go home.
-      allowed = pool.size() / 2;
+      enough();
     }
     loop(0);
   }

@@ -1,15 +1,21 @@
 #include "sim/observer/clips_host.h"
 
+#include "sim/core/memory_room.h"
 #include "sim/observer/clips_text.h"
 #include "sim/observer/rules_guard.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <deque>
 #include <map>
+#include <mutex>
+#include <new>
 #include <stdexcept>
+#include <thread>
 
 #include <locale.h>
 
@@ -74,11 +80,17 @@ struct ClipsHost::State {
   const defrule* last_rule = nullptr;      ///< that fired
   std::vector<Fault> parse_faults;
   std::string file;                        ///< loaded last
+  bool out_of_memory = false;              ///< it works on the reserve
+  int waits = 0;                           ///< for memory, one after the other
 
   void stop(std::string why);
   void blame(int line);
   void watch();
   std::string ruleNow() const;
+  /// Throws std::bad_alloc if CLIPS was in want of memory.
+  void checkMemory() const {
+    if (out_of_memory) throw std::bad_alloc();
+  }
 };
 
 using State = ClipsHost::State;
@@ -128,8 +140,34 @@ void everyStep(void* env) noexcept {
 
 void noteFiring(void* env, void* fired) { stateOf(env).last_rule = static_cast<const activation*>(fired)->theRule; }
 
-/// Memory is bounded long before this; CLIPS would end the process with exit(), which runs handlers that are not ours to run.
-int outOfMemory(void*, std::size_t) { std::abort(); }
+/// CLIPS needs what it asks for here, or would end the process by itself; nothing may be thrown through it. So it goes on with the
+/// reserve, and whoever called it throws. Where others have used that up too, they are waited for: what they end with is memory.
+int outOfMemory(void* env, std::size_t) noexcept {
+  constexpr int kGoOn = 0, kMostWaits = 500;
+  State& state = stateOf(env);
+  SetEvaluationError(env, 1);
+  SetHaltExecution(env, 1);
+  if (!std::exchange(state.out_of_memory, true)) state.waits = 0;
+  if (MemoryReserve::release()) return kGoOn;
+  if (++state.waits > kMostWaits) {
+    std::fputs("There is no memory left, not even to end the rules.\n", stderr);
+    std::abort();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return kGoOn;
+}
+
+/// An environment of CLIPS. While it is made CLIPS does not look whether it was given memory.
+void* newEnvironment() {
+  constexpr std::size_t kPlenty = 32u << 20;  // it takes less than one of these
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  MemoryReserve::hold();
+  if (!hasRoom(kPlenty)) throw std::bad_alloc();
+  void* const env = CreateEnvironment();
+  if (env == nullptr) throw std::bad_alloc();
+  return env;
+}
 
 /// (npsee-join LINE): true until something is used up; false lets no further combination of facts through. The argument, the line
 /// of the rule, is only looked at then.
@@ -241,14 +279,13 @@ std::string State::ruleNow() const {
 
 ClipsHost::ClipsHost(const HostLimits& limits) : state_(std::make_unique<State>(limits)) {
   const CNumbers c;
-  state_->env = CreateEnvironment();
-  if (state_->env == nullptr) throw std::bad_alloc();
+  state_->env = newEnvironment();
   SetEnvironmentContext(state_->env, state_.get());
+  EnvSetOutOfMemoryFunction(state_->env, &outOfMemory);
   // Below the router that collects parse errors (40), above the terminal (0).
   EnvAddRouter(state_->env, "npsee", 10, &wantsOutput, &takeOutput, nullptr, nullptr, nullptr);
   EnvSetParserErrorCallback(state_->env, &takeParseError);
   EnvAddPeriodicFunction(state_->env, "npsee", &everyStep, 0);
-  EnvSetOutOfMemoryFunction(state_->env, &outOfMemory);
   EnvAddBeforeRunFunction(state_->env, "npsee", &noteFiring, 0);
   // 'b': the predicate is evaluated for every combination, so it must cost next to nothing.
   EnvDefineFunction2(state_->env, std::string(kJoinCounter).c_str(), 'b', PTIEF & countJoin, "countJoin", "11");
@@ -290,6 +327,7 @@ Expected<void> ClipsHost::load(const std::string& text, const std::string& file)
   OpenTextSource(state_->env, "npsee-rules", text.data(), 0, text.size());
   const int loaded = LoadConstructsFromLogicalName(state_->env, "npsee-rules");
   CloseStringSource(state_->env, "npsee-rules");
+  state_->checkMemory();
   EnvSetParsingFileName(state_->env, nullptr);
   if (loaded == 1 && state_->parse_faults.empty() && state_->stopped.empty()) return {};
   if (state_->parse_faults.empty()) {
@@ -304,6 +342,7 @@ void ClipsHost::place(std::string_view rule, std::string_view file, int line) { 
 void ClipsHost::reset() {
   const CNumbers c;
   EnvReset(state_->env);
+  state_->checkMemory();
 }
 
 FactHandle ClipsHost::assertFact(const char* name, const std::vector<SlotValue>& slots) {
@@ -318,6 +357,7 @@ FactHandle ClipsHost::assertFact(const char* name, const std::vector<SlotValue>&
     EnvPutFactSlot(state_->env, made, slot.slot, &value);
   }
   EnvAssignFactSlotDefaults(state_->env, made);
+  state_->checkMemory();
   void* asserted = EnvAssert(state_->env, made);
   if (asserted != nullptr) EnvIncrementFactCount(state_->env, asserted);
   state_->watch();
@@ -356,12 +396,14 @@ void ClipsHost::begin() {
 Expected<void> ClipsHost::run() {
   const CNumbers c;
   State& state = *state_;
+  state.checkMemory();
   // What failed while facts were asserted (conditions of rules are evaluated then) is kept in `printed` and `stopped`.
   SetEvaluationError(state.env, 0);
   SetHaltExecution(state.env, 0);
   EnvSetHaltRules(state.env, 0);
   if (state.stopped.empty() && state.printed.empty()) {
     EnvRun(state.env, state.limits.firings);
+    state.checkMemory();
     if (state.stopped.empty() && state.printed.empty() && EnvGetNextActivation(state.env, nullptr) != nullptr) {
       state.stopped = "The rules fired more than " + std::to_string(state.limits.firings) + " times in one run.";
       state.failing_rule = EnvGetActivationName(state.env, EnvGetNextActivation(state.env, nullptr));

@@ -14,7 +14,7 @@
 namespace npsee::observer {
 
 /// CLIPS 6.30 behind one hardened wrapper: its own environment, functions it does not need removed, errors as values, and limits on
-/// everything that rules can use up. clips_host.cpp is the only file that knows CLIPS.
+/// everything that rules can use up. Where the process has no memory left its functions throw std::bad_alloc. clips_host.cpp is the only file that knows CLIPS.
 
 /// A word of CLIPS without quotes, as against a string.
 struct Symbol {

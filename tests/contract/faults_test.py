@@ -155,9 +155,24 @@ class Faults(CommandLine):
         self.set_up_many_jobs()
         for call in self.MANY_JOBS:
             with self.subTest(call=" ".join(call)):
-                done = self.run_npsee(*call, limits=((resource.RLIMIT_AS, 2_000_000 << 10),), LP_NUM_THREADS="0")
-                self.assertIn(done.returncode, (0, 3), done.stderr[-2000:])
-                self.assertTrue(done.returncode == 0 or "memory" in done.stderr, done.stderr)
+                self.with_little_memory(call, 2000)
+
+    @unittest.skipIf(SANITIZED, "sanitizers take addresses and threads of their own")
+    def test_missions_end_in_good_order_with_any_memory(self):
+        self.write("grow.clp", """(deftemplate grown (slot number) (slot text))
+            (defrule grow (not (grown)) =>
+              (loop-for-count (?i 1 40000) (assert (grown (number ?i) (text (str-cat "a text of its own " ?i))))))""")
+        self.write("g.mission.json", """{ "npsee_mission": 1, "name": "g", "duration": 60, "vehicles": [{ "id": "t", "type": 51, "pos": [26000, 25000] }],
+            "observers": [{ "id": "fo1", "pos": [25000, 25000], "rules": "grow.clp", "missions": [{ "action": "destroy", "type": 51 }] }] }""")
+        for memory_mb in (40, 50, 60, 64, 66, 68, 70, 72, 76, 80, 90, 100, 120, 150, 200, 300, 500, 700, 1000, 1500):
+            for call in (("mission", "g.mission.json", "--until", "20"), ("mission", "m.mission.json", "--until", "20", "--monte-carlo", "40", "--jobs", "64")):
+                with self.subTest(call=" ".join(call), memory_mb=memory_mb):
+                    self.with_little_memory(call, memory_mb)
+
+    def with_little_memory(self, call, memory_mb):
+        done = self.run_npsee(*call, limits=((resource.RLIMIT_AS, memory_mb * 1_000_000),), LP_NUM_THREADS="0")
+        self.assertIn(done.returncode, (0, 3), done.stderr[-2000:])
+        self.assertTrue(done.returncode == 0 or "memory" in done.stderr, done.stderr)
 
 
 if __name__ == "__main__":
